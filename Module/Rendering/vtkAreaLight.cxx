@@ -17,7 +17,7 @@ vtkInformationKeyRestrictedMacro(vtkAreaLight, AREA_LIGHTS, ObjectBase, "vtkColl
 
 namespace
 {
-// Across the rectangle, as long as its area.
+// Returns a vector across the rectangle, as long as its area.
 glm::dvec3 Span(const double origin[3], const double point1[3], const double point2[3])
 {
   const glm::dvec3 o(origin[0], origin[1], origin[2]);
@@ -77,7 +77,7 @@ bool vtkAreaLight::ShinesInto(const double center[3], double size)
     glm::abs(origin - middle), glm::max(glm::abs(point1 - middle), glm::abs(point2 - middle)));
   const double shortest = std::min(glm::length(point1 - origin), glm::length(point2 - origin));
   std::string why;
-  // Beyond these floats do not hold the squares of areas and the fourth powers of distances.
+  // Beyond these limits floats cannot hold the squares of areas and the fourth powers of distances.
   if (!std::isfinite(glm::dot(farthest, glm::dvec3(1.0))))
   {
     why = "a corner is not finite";
@@ -118,7 +118,7 @@ void vtkAreaLight::GetMeanRadiance(double radiance[3])
 //------------------------------------------------------------------------------
 const std::vector<float>& vtkAreaLight::GetRadiances(int& columns, int& rows)
 {
-  vtkImageData* image = this->FindImage(); // which may change the time
+  vtkImageData* image = this->FindImage(); // the call may change the time
   const vtkMTimeType time = this->GetMTime();
   if (time != this->RadiancesTime)
   {

@@ -4,10 +4,10 @@
  * @brief A rectangle that sends light: the same radiance everywhere, or an image that may change
  *
  * It lies where a vtkPlaneSource with the same three points does, and sends light to the side that
- * (Point1 - Origin) x (Point2 - Origin) points to, with TwoSided also to the other one, the same
- * radiance in every direction (Lambert). An image is spread over it with its first pixel at Origin
- * and its rows along Point1 - Origin; each pixel is a piece of one radiance, the image's times
- * Radiance. The rectangle itself is drawn where Visible is on.
+ * (Point1 - Origin) x (Point2 - Origin) points to. With TwoSided it sends light to the other side,
+ * too. The radiance is the same in every direction (Lambert). An image is spread over the rectangle
+ * with its first pixel at Origin and its rows along Point1 - Origin; each pixel is a piece of one
+ * radiance, the image's times Radiance. The rectangle itself is drawn if Visible is on.
  *
  * @code
  * vtkNew<vtkAreaLight> window;
@@ -41,9 +41,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Where a renderer keeps its area lights, a vtkCollection, until somebody switches a pass on:
-   * under this key of vtkRenderer::GetInformation. Python's vtkindirect.enable gives them to the
-   * pass.
+   * The key of vtkRenderer::GetInformation under which a renderer keeps its area lights, a
+   * vtkCollection, until a pass is switched on. Python's vtkindirect.enable gives them to the pass.
    */
   static vtkInformationObjectBaseKey* AREA_LIGHTS();
 
@@ -61,8 +60,8 @@ public:
 
   ///@{
   /**
-   * The corner at the end of the image's first column. Default (-0.5, 0.5, 0). Where the edges are
-   * not at right angles the light is a parallelogram.
+   * The corner at the end of the image's first column. Default (-0.5, 0.5, 0). The light is a
+   * parallelogram if the edges are not at right angles.
    */
   vtkSetVector3Macro(Point2, double);
   vtkGetVector3Macro(Point2, double);
@@ -76,8 +75,9 @@ public:
   ///@{
   /**
    * Show the rectangle in the picture: its radiance, or its image, from the sides that it sends
-   * light to, in front of what it hides. It is no prop: it hides nothing from any light,
-   * is in no bounds, and cannot be picked. Default off, as VTK's lights are not seen.
+   * light to, in front of the objects that it hides. It is not a prop: it hides nothing from any
+   * light, adds to no bounds, and cannot be picked. Default off, because VTK's lights are
+   * invisible.
    */
   vtkIndirectFlagMacro(Visible);
   ///@}
@@ -87,24 +87,31 @@ public:
   vtkIndirectFlagMacro(Switch);
   ///@}
 
-  /** The side that it sends light to, unit; (0, 0, 0) where the corners span no area. */
+  /**
+   * Returns the unit normal of the side that it sends light to; (0, 0, 0) if the corners span no
+   * area.
+   */
   void GetNormal(double normal[3]) const;
-  /** World units squared. */
+  /** Returns the area in world units squared. */
   double GetArea() const;
-  /** Mean over its area, Scale included; times the area the radiant flux over pi of one side. */
+  /**
+   * Returns the mean radiance over its area, Scale included. Times the area it is the radiant flux
+   * of one side over pi.
+   */
   void GetMeanRadiance(double radiance[3]);
 
 #ifndef __VTK_WRAP__
   /**
-   * Radiances of its pieces, Scale included: `columns` along Point1 - Origin times `rows`, the
-   * piece at Origin first. Without an image there is one. Empty after an error.
+   * Returns the radiances of its pieces, Scale included: `columns` along Point1 - Origin times
+   * `rows`, the piece at Origin first. A light without an image has one piece. Empty after an
+   * error.
    */
-  const std::vector<float>& GetRadiances(int& columns, int& rows); // three floats each
+  const std::vector<float>& GetRadiances(int& columns, int& rows); // three floats a piece
 
   /**
-   * Tells whether it is on and fit for a scene of this centre and size: its corners are
-   * finite, no farther away than 1e9 sizes and span an area, its edges are no shorter than 1e-9 of
-   * them, and its radiance can be read. Otherwise one error says why, until the light changes.
+   * Returns true if it is on and fit for a scene of this centre and size: its corners are finite,
+   * no farther away than 1e9 sizes and span an area, its edges are no shorter than 1e-9 sizes, and
+   * its radiance can be read. Otherwise one error gives the reason, until the light changes.
    */
   bool ShinesInto(const double center[3], double size);
 #endif
@@ -135,8 +142,8 @@ private:
   double Mean[3] = { 0.0, 0.0, 0.0 };
   int Columns = 0;
   int Rows = 0;
-  vtkMTimeType RadiancesTime = 0; // of what they were read from
-  vtkMTimeType FaultTime = 0;     // when an error said why it is off
+  vtkMTimeType RadiancesTime = 0; // time of the data that they were read from
+  vtkMTimeType FaultTime = 0;     // time of the error that reported why it is off
 };
 
 #endif

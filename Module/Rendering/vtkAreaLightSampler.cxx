@@ -112,7 +112,7 @@ vtkMTimeType vtkAreaLightSampler::GetMTime()
 bool AreaLights::Update(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  // Radiances first: reading them may update the pipeline of a texture.
+  // Radiances come first, because reading them may update the pipeline of a texture.
   std::vector<vtkIndirectAreaClusters::Emitter> emitters;
   for (int i = 0; i < this->Set.GetNumberOfAreaLights(); ++i)
   {

@@ -3,19 +3,19 @@
  * @class vtkAreaLightSampler
  * @brief Virtual lights of area lights
  *
- * Rectangles that send light (vtkAreaLight), cut into pieces of which each is a virtual light: all
- * of the light in few of them, more where it is concentrated. Any estimator that sums virtual
- * lights takes them, and a depth map of each tells what it is hidden from. The pass itself does not
- * need it: vtkIndirectIlluminationPass::AddAreaLight computes direct light in closed form. This is
- * the way of the paper, for vtkIndirectIlluminationPass::AddSampler.
+ * Cuts rectangles that send light (vtkAreaLight) into pieces, each of which is a virtual light: few
+ * pieces hold all of the light, and more where it is concentrated. Any estimator that sums virtual
+ * lights takes them, and a depth map of each virtual light tells what hides it. The pass itself
+ * does not need this class: vtkIndirectIlluminationPass::AddAreaLight computes direct light in
+ * closed form. This class is the method of the paper, for vtkIndirectIlluminationPass::AddSampler.
  *
- * There are NumberOfLights virtual lights of all area lights at most, but one for each side that
- * sends light; they are shared by how much the light of each is spread.
+ * All area lights together have at most NumberOfLights virtual lights, but at least one for each
+ * side that sends light. Each area light's share depends on how much its light is spread.
  *
  * Direct illumination from dynamic area lights: Nichols and Wyman 2009. Approximation: a piece is a
- * disk of its area at its light's mean place, so nearer to the rectangle than a piece is large the
- * light is wrong, in the middle of a piece too bright and between pieces too dark; with 256 lights
- * an evenly bright square has pieces of a sixteenth of its edge.
+ * disk of its area at its light's mean place. Nearer to the rectangle than the width of a piece the
+ * light is wrong: too bright in the middle of a piece and too dark between pieces. With 256 lights
+ * a uniformly bright square has pieces of a sixteenth of its edge.
  */
 
 #ifndef vtkAreaLightSampler_h
@@ -37,16 +37,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Area lights that are cut. A light that is there already is not added again. */
+  /** Area lights that are cut. Adding a light twice has no effect. */
   void AddLight(vtkAreaLight* light);
   void RemoveLight(vtkAreaLight* light);
   void RemoveAllLights();
   int GetNumberOfAreaLights() const { return static_cast<int>(this->Lights.size()); }
-  /** Null where there are not so many. */
+  /** Returns an area light; null if the index is out of range. */
   vtkAreaLight* GetAreaLight(int index) const;
   ///@}
 
-  /** The times of the lights count, and those of their images. */
+  /** Includes the times of the lights and of their images. */
   vtkMTimeType GetMTime() override;
 
 protected:

@@ -18,12 +18,12 @@ vtkInformationKeyRestrictedMacro(
 
 namespace
 {
-// Cells of the whole sky: 1.4 degrees across at the horizon.
+// Number of cells of the whole sky: 1.4 degrees across at the horizon.
 constexpr int Columns = 256;
 constexpr int Rows = 128;
 
-// Columns: right, up, and behind the middle of the image. Falls back to VTK's axes where Up has no
-// length, and to any right where Right is along it.
+// Makes a frame with these columns: right, up, and behind the middle of the image. Uses VTK's axes
+// if Up has no length, and any right vector if Right is along Up.
 glm::dmat3 MakeFrame(const double up[3], const double right[3])
 {
   glm::dvec3 y(up[0], up[1], up[2]);
@@ -41,8 +41,8 @@ glm::dmat3 MakeFrame(const double up[3], const double right[3])
   return { x, y, glm::cross(x, y) };
 }
 
-// Direction of a place in an equirectangular image: longitude from the middle to the right,
-// latitude.
+// Returns the direction of a place in an equirectangular image: longitude from the middle to the
+// right, latitude.
 glm::dvec3 ToDirection(double longitude, double latitude)
 {
   const double c = std::cos(latitude);
@@ -71,7 +71,7 @@ void vtkEnvironmentLight::GetRadianceFrom(const double direction[3], double radi
   glm::dvec3 result(this->Radiance[0], this->Radiance[1], this->Radiance[2]);
   if (this->GetCells().empty())
   {
-    // The image cannot be read, which was said, or nothing sends light.
+    // The image cannot be read, which an error has reported, or all of it is dark.
     std::fill(radiance, radiance + 3, 0.0);
     return;
   }
@@ -171,7 +171,7 @@ void vtkEnvironmentLight::MakeCells()
   if (image)
   {
     vtkIndirectRadianceImage pixels(image, this->IsEncoded());
-    // Pixels that are wider than a cell are cut into pieces.
+    // Pixels wider than a cell are cut into pieces.
     const int across = (Columns + pixels.GetWidth() - 1) / pixels.GetWidth();
     const int upward = (Rows + pixels.GetHeight() - 1) / pixels.GetHeight();
     add(across * pixels.GetWidth(), upward * pixels.GetHeight(),

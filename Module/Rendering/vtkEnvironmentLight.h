@@ -6,9 +6,9 @@
  * The light comes from infinitely far away. Without an image it is Radiance from every direction; a
  * surface that sees all of its hemisphere then has the irradiance E = Radiance. An image is
  * equirectangular and shows the surroundings as vtkSkybox does (of VTK up to 9.4, with its default
- * plane): its middle lies ahead (-z), its right half to the right (+x), its upper edge above (+y),
- * all of it turned by Up and Right. Its rows go from the nadir to the zenith, bottom row first, as
- * VTK's readers return them.
+ * plane): its middle lies ahead (-z), its right half to the right (+x), its upper edge above (+y);
+ * Up and Right turn all of it. Its rows go from the nadir to the zenith, bottom row first, as VTK's
+ * readers return them.
  *
  * @code
  * vtkNew<vtkEnvironmentLight> sky;
@@ -36,7 +36,8 @@ public:
 
   ///@{
   /**
-   * Where the upper edge of the image is, in world coordinates, of any length. Default (0, 1, 0).
+   * The direction to the upper edge of the image, in world coordinates, of any length. Default (0,
+   * 1, 0).
    */
   vtkSetVector3Macro(Up, double);
   vtkGetVector3Macro(Up, double);
@@ -44,37 +45,39 @@ public:
 
   ///@{
   /**
-   * Direction to the right of the image's middle, of any length; the part across Up counts. Default
-   * (1, 0, 0).
+   * The direction to the right of the image's middle, of any length; only its part across Up
+   * counts. Default (1, 0, 0).
    */
   vtkSetVector3Macro(Right, double);
   vtkGetVector3Macro(Right, double);
   ///@}
 
-  /** Radiance from a direction in world coordinates, of any length: of the image's nearest pixel.
+  /**
+   * Returns the radiance from a direction in world coordinates, of any length: that of the image's
+   * nearest pixel.
    */
   void GetRadianceFrom(const double direction[3], double radiance[3]);
 
   /**
-   * Where a renderer keeps its environment until somebody switches a pass on: under this key of
-   * vtkRenderer::GetInformation. Python's vtkindirect.enable gives it to the pass.
+   * The key of vtkRenderer::GetInformation under which a renderer keeps its environment until a
+   * pass is switched on. Python's vtkindirect.enable gives it to the pass.
    */
   static vtkInformationObjectBaseKey* ENVIRONMENT();
 
 #ifndef __VTK_WRAP__
-  /** A piece of the sky: what it sends, and from where. */
+  /** A piece of the sky, with its light and the light's direction. */
   struct Cell
   {
-    double Direction[3]; // world, unit, to the middle of the light that it sends
+    double Direction[3]; // world, unit, to the middle of its light
     double Light[3];     // radiance integrated over its solid angle
   };
   /**
-   * The whole sky in cells of at most 1.4 degrees, none of them dark: integrals of the image, so
-   * that a small bright sun loses nothing. Empty where no light comes from anywhere, or after an
-   * error.
+   * Returns the whole sky in cells of at most 1.4 degrees, none of them dark. The cells are
+   * integrals of the image, so that a small bright sun loses nothing. Empty if there is no light at
+   * all, or after an error.
    */
   const std::vector<Cell>& GetCells();
-  /** Finds the greatest radiance of all directions, each colour by itself. */
+  /** Finds the greatest radiance of all directions, for each colour separately. */
   void GetGreatestRadiance(double radiance[3]);
 #endif
 
@@ -93,7 +96,7 @@ private:
 
   std::vector<Cell> Cells;
   double Greatest[3] = {};
-  vtkMTimeType CellsTime = 0; // of what they were made from
+  vtkMTimeType CellsTime = 0; // time of the data that they were made from
 };
 
 #endif

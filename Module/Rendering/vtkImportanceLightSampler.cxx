@@ -16,9 +16,9 @@ static_assert(vtkImportanceLightSampler::APART == vtkIndirectKernels::VTKI_WARP_
 
 namespace
 {
-// A disk of all of the area that a light stands for is the darker the nearer a receiver is. With
-// half of it a third less of the mean is lost, and errors are 6 % smaller; with a third of it
-// scattered small objects have more error than with even lights. See
+// A disk as large as all of a light's area is too dark for near receivers. With half of the area a
+// third less of the mean is lost, and errors are 6 % smaller; with a third of it scattered small
+// objects have more error than with uniform lights. See
 // Documentation/methods/importance-sampling.md.
 constexpr double ShareOfArea = 0.5;
 

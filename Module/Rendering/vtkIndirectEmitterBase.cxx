@@ -53,7 +53,7 @@ void vtkIndirectEmitterBase::SetRadiance(double red, double green, double blue)
 }
 
 //------------------------------------------------------------------------------
-// An image that is older than the one before it, or than the rest, is another one, too.
+// The time also grows when an older image replaces the last one.
 vtkMTimeType vtkIndirectEmitterBase::GetMTime()
 {
   const vtkTypeUInt64 revision = this->Image ? this->Image->GetMTime()
@@ -62,7 +62,7 @@ vtkMTimeType vtkIndirectEmitterBase::GetMTime()
   if (revision != this->PictureRevision)
   {
     this->PictureRevision = revision;
-    this->MTime.Modified(); // it is asked, not set: nobody who observes it is called
+    this->MTime.Modified(); // a request is no change: observers are not notified
   }
   return this->Superclass::GetMTime();
 }

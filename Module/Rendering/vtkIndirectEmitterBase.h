@@ -4,10 +4,10 @@
  * @brief Abstract: a source of light of one radiance everywhere, or of an image of radiances
  *
  * Values are radiances in VTK's units: a surface that sees one radiance in all of its hemisphere
- * has the irradiance E = radiance. Images of bytes are divided by 255; with Encoded on, or where a
- * texture says so, values are decoded. Values that are negative or not finite count as zero, and
- * one warning tells how many there were. An image of fewer scalars than points, or radiances beyond
- * 1e18, are one error, and no light.
+ * has the irradiance E = radiance. Images of bytes are divided by 255; values are decoded with
+ * Encoded on, or if a texture declares them encoded. Negative or non-finite values count as zero,
+ * and one warning gives their number. An image of fewer scalars than points, or radiances beyond
+ * 1e18, cause one error, and the source sends no light.
  *
  * @sa vtkEnvironmentLight vtkAreaLight
  */
@@ -29,7 +29,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Radiance where there is no image. Default (1, 1, 1); finite and not negative. */
+  /** Radiance without an image. Default (1, 1, 1); finite and not negative. */
   void SetRadiance(double red, double green, double blue);
   void SetRadiance(const double radiance[3])
   {
@@ -40,8 +40,8 @@ public:
 
   ///@{
   /**
-   * An image of one slice with one (grey), three or four components (the fourth is ignored), of
-   * any numeric type. Default null. It takes precedence over Texture.
+   * An image of one slice with one (grey), three or four components (the fourth is ignored), of any
+   * numeric type. Default null. The image takes precedence over Texture.
    */
   virtual void SetImage(vtkImageData* image);
   vtkGetObjectMacro(Image, vtkImageData);
@@ -55,28 +55,28 @@ public:
 
   ///@{
   /**
-   * Decode the values of an image by the transfer function of sRGB (IEC 61966-2-1), by which those
-   * of photographs in bytes are encoded. Default off. The values of a texture that says so
-   * (vtkTexture::SetUseSRGBColorSpace) are decoded in any case.
+   * Decode the values of an image by the transfer function of sRGB (IEC 61966-2-1), which encodes
+   * photographs in bytes. Default off. The values of a texture with
+   * vtkTexture::SetUseSRGBColorSpace are decoded in any case.
    */
   vtkIndirectFlagMacro(Encoded);
   ///@}
 
   ///@{
-  /** Factor on the radiance, of an image too. Default 1, range 0 to 1e12. */
+  /** Factor on the radiance, also of an image. Default 1, range 0 to 1e12. */
   vtkIndirectClampMacro(Scale, double, 0.0, 1.0e12);
   ///@}
 
-  /** Grows also with the image, and with the texture and what its pipeline makes. */
+  /** Grows also with the image, and with the texture and its pipeline's output. */
   vtkMTimeType GetMTime() override;
 
 protected:
   vtkIndirectEmitterBase();
   ~vtkIndirectEmitterBase() override;
 
-  /** The image in force, up to date; null where there is none. */
+  /** Returns the image in use, up to date; null if there is none. */
   vtkImageData* FindImage();
-  /** Tells whether the values of that image are encoded. */
+  /** Returns true if the values of that image are encoded. */
   bool IsEncoded() const;
 
   double Radiance[3] = { 1.0, 1.0, 1.0 };
@@ -90,7 +90,7 @@ private:
     double Scale = 1.0;
   };
   SettingsType Settings;
-  vtkTypeUInt64 PictureRevision = 0; // of the image or texture when it was asked last
+  vtkTypeUInt64 PictureRevision = 0; // revision of the image or texture at the last request
 
   vtkIndirectEmitterBase(const vtkIndirectEmitterBase&) = delete;
   void operator=(const vtkIndirectEmitterBase&) = delete;

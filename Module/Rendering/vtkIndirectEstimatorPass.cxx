@@ -54,7 +54,7 @@ vtkIndirectIlluminationPass* vtkIndirectEstimatorPass::GetIlluminationPass()
 //------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  // The illumination pass in its turn releases its estimator, which is this one.
+  // The illumination pass releases its estimator, this one, in its turn.
   if (this->Sum->Release(window) && this->Whole && !this->IsReleasing)
   {
     this->IsReleasing = true;

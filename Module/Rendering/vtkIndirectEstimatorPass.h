@@ -6,12 +6,13 @@
  * The irradiance is in VTK's units, where a constant radiance L over the hemisphere gives E = L and
  * a diffuse surface sends out albedo times E. Its texture has the size of the viewport.
  *
- * Estimators that know how also compute what receivers reflect specularly, by the lobes of VTK's
- * Phong model; see SpecularTransport. It comes without the material's specular colour, by which the
- * composite multiplies it. Some also sum what senders reflect specularly, such as caustics.
+ * Some estimators also compute what receivers reflect specularly, by the lobes of VTK's Phong
+ * model; see SpecularTransport. The result excludes the material's specular colour, by which the
+ * composite multiplies it. Some estimators also sum what senders reflect specularly, such as
+ * caustics.
  *
- * An estimator holds what the user sets of it. The part that sums the light is private to this
- * library, so classes outside of it cannot derive from this one.
+ * An estimator holds the user's settings. The part that sums the light is private to this library,
+ * so classes outside of it cannot derive from this one.
  */
 
 #ifndef vtkIndirectEstimatorPass_h
@@ -34,30 +35,30 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Draws the whole frame with this estimator, as a vtkIndirectIlluminationPass does that it is set
-   * on: renderer->SetPass(estimator). What belongs to a frame is set on GetIlluminationPass.
+   * Draws the whole frame with this estimator, like a vtkIndirectIlluminationPass with this
+   * estimator: renderer->SetPass(estimator). Settings of the frame are set on GetIlluminationPass.
    */
   void Render(const vtkRenderState* s) override;
-  /** The pass by which this one draws frames when it is set on a renderer by itself. */
+  /** Returns the pass by which this one draws frames when it is set on a renderer by itself. */
   vtkIndirectIlluminationPass* GetIlluminationPass();
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  /** Short name for reports, e.g. "gather". */
+  /** Returns a short name for reports, e.g. "gather". */
   virtual const char* GetMethodName() const = 0;
 
   ///@{
   /**
    * Let receivers with Phong's model and a specular coefficient reflect indirect light specularly,
-   * and senders with such or with VTK's PBR reflect the lights specularly, where the estimator can
-   * compute it. Costs nothing where there are none. Default on.
+   * and senders with such a model or with VTK's PBR reflect the lights specularly, if the
+   * estimator can compute that. Costs nothing in scenes without such surfaces. Default on.
    */
   vtkIndirectFlagMacro(SpecularTransport);
   ///@}
 
   ///@{
   /**
-   * Look up in voxels of the scene, and among its spheres, what hides senders from receivers, where
-   * vtkIndirectIlluminationPass::Visibility is automatic. Default off, of radiance hints on.
+   * Let voxels of the scene, and its spheres, hide senders from receivers if
+   * vtkIndirectIlluminationPass::Visibility is automatic. Default off, on for radiance hints.
    */
   vtkIndirectFlagMacro(Occupancy);
   ///@}
@@ -85,7 +86,7 @@ private:
 
   friend class vtkIndirectSum;
   const std::unique_ptr<vtkIndirectSum> Sum;
-  // Draws frames where this is a renderer's pass; it does not hold this one.
+  // The pass draws frames if this one is a renderer's pass; it does not hold this one.
   vtkSmartPointer<vtkIndirectIlluminationPass> Whole;
   bool IsReleasing = false;
 };

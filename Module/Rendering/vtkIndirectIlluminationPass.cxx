@@ -105,9 +105,9 @@ struct vtkIndirectIlluminationPass::Internals
   vtkIndirectPipeline Pipeline;
   vtkIndirectLighting Lighting;
   vtkNew<vtkSequencePass> DefaultDelegate;
-  vtkNew<vtkHiddenLineRemovalPass> HiddenLines; // in its place where the renderer removes them
+  vtkNew<vtkHiddenLineRemovalPass> HiddenLines; // replaces it if the renderer removes hidden lines
   vtkIndirectSwitches Switches;
-  std::string RefusedAround; // why, as an error has said
+  std::string RefusedAround; // the reason that an error has reported
 
   vtkRenderPass* FindDelegate(const vtkRenderState* s, vtkRenderPass* users)
   {
@@ -350,7 +350,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   window->MakeCurrent();
   if (renderer->GetSelector())
   {
-    // Selection draws identifiers, not colours; the renderer's own path knows how.
+    // Selection draws identifiers instead of colours; the renderer's own path does this.
     this->UpdateCamera(renderer);
     this->UpdateLightGeometry(renderer);
     this->UpdateLights(renderer);
@@ -389,7 +389,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   request.DepthOfSamples = request.Delegate == in.DefaultDelegate;
   in.Lighting.Update(renderer, this->Settings, this->Environment);
   request.Environment = in.Lighting.GetEnvironment();
-  // What the delegate draws alone has the renderer's lights.
+  // A picture of the delegate alone has the renderer's lights.
   std::optional<vtkIndirectLightScope> lights(std::in_place, renderer, in.Lighting.GetLights());
   request.ReplacedLights = lights->GetReplaced();
   in.Pipeline.Prepare(s, request);
@@ -404,7 +404,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
         "draws into a framebuffer of its own, where surfaces cannot be captured");
     }
   }
-  // What the delegate has drawn may have refused it, too.
+  // Drawing with the delegate may have refused it, too.
   if (why.empty() && in.Delegate.IsRefused(this->DelegatePass))
   {
     why = vtkIndirectDelegateGuard::Why;
@@ -542,7 +542,7 @@ std::string vtkIndirectIlluminationPass::GetReport()
 {
   Internals& in = *this->Internal;
   vtkIndirectReport report;
-  const double tolerance = in.Pipeline.GetPlan().EstimatorErrorTolerance; // in force
+  const double tolerance = in.Pipeline.GetPlan().EstimatorErrorTolerance; // tolerance in use
   report.Settings = { { "Shadows", this->Settings.Shadows },
     { "Antialiasing", this->Settings.Antialiasing },
     { "ReflectiveShadowMapResolution", this->GetReflectiveShadowMapResolution() },

@@ -3,23 +3,24 @@
  * @class vtkIndirectIlluminationPass
  * @brief Real-time indirect illumination: the pass to give to vtkRenderer::SetPass
  *
- * A frame is one straight line: each light's reflective shadow map, the geometry buffer (VTK's own
- * shading, shadowed light by light), virtual lights, the estimator, the composite; then translucent
- * props (with depth peeling when the renderer asks for it), FXAA, volumes and overlays as in a
- * renderer without a pass.
+ * A frame has these stages in this order: each light's reflective shadow map, the geometry buffer
+ * (VTK's own shading, shadowed light by light), virtual lights, the estimator, the composite; then
+ * translucent props (with depth peeling when the renderer asks for it), FXAA, volumes and overlays
+ * as in a renderer without a pass.
  *
- * The pass models what the scene needs. It leaves the picture to the delegate alone when nothing is
- * lit, when nothing opaque is visible, and during hardware selection; a single headlight needs no
- * map, because the eye sees what it lights. GetReport says what was decided.
+ * The pass models what the scene needs. The delegate alone draws the picture when nothing is lit,
+ * when nothing opaque is visible, and during hardware selection. A single headlight needs no map,
+ * because the eye sees all surfaces that it lights. GetReport lists these decisions.
  *
  * Units: VTK's. Radiance is physical; irradiance and light strength are physical divided by pi.
- * With IndirectScale 1 and nothing else set the result agrees with a path tracer's diffuse bounces:
- * all of them, hidden by depth maps of the virtual lights (NumberOfBounces, Visibility), with lobes
- * of specular senders in the first. Where a light of the scene follows the camera there is one.
+ * With IndirectScale 1 and defaults otherwise the result agrees with a path tracer's diffuse
+ * bounces: all bounces, hidden by depth maps of the virtual lights (NumberOfBounces, Visibility),
+ * with lobes of specular senders in the first bounce. There is one bounce if a light of the scene
+ * follows the camera.
  *
  * Multisampling has no effect on the colours that this pass draws: its targets are float textures.
- * Edges are antialiased by their shapes instead (Antialiasing). vtkSSAAPass around the pass samples
- * more. Depth of several samples is VTK's own where something in the scene looks it up.
+ * Instead edges are antialiased by their shapes (Antialiasing); vtkSSAAPass around the pass takes
+ * more samples. Depth of several samples is VTK's own if a prop in the scene looks it up.
  *
  * @code
  * vtkNew<vtkIndirectIlluminationPass> pass;
@@ -58,7 +59,7 @@ public:
 
   void Render(const vtkRenderState* s) override;
 
-  /** Gives back what the pass holds in the window's context; without a window nothing happens. */
+  /** Releases all resources in the window's context; does nothing without a window. */
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
   ///@{
@@ -78,14 +79,14 @@ public:
 
   ///@{
   /**
-   * Light from all around. Default null: the renderer's environment texture where it uses
-   * image-based lighting, unless that is a cube map; else none. The diffuse light that VTK's
-   * physically based shading adds of that texture, which nothing hides, is left out then. The
-   * direct part is summed over directions that are fixed in the world, hidden by depth maps of the
-   * scene, and stands in the buffer `sky`; what surfaces reflect of it is summed with what they
-   * reflect of lights (`bounce`). A frame with an environment needs no vtkLight. While the window
-   * gives a frame a second or less (vtkRenderWindow::SetDesiredUpdateRate), it is summed over a
-   * quarter of the directions, of which neighbouring pixels ask different ones.
+   * Light from all around. Default null: the renderer's environment texture if it uses image-based
+   * lighting and the texture is not a cube map; else none. In this case the unoccluded diffuse
+   * light that VTK's physically based shading adds from that texture is left out. The direct part
+   * is summed over directions that are fixed in the world, hidden by depth maps of the scene, and
+   * stored in the buffer `sky`. Light that surfaces reflect of it is summed with the reflected
+   * light of lights (`bounce`). A frame with an environment needs no vtkLight. While the window's
+   * rate is a frame a second or more (vtkRenderWindow::SetDesiredUpdateRate), the environment is
+   * summed over a quarter of the directions, which neighbouring pixels share among them.
    */
   virtual void SetEnvironment(vtkEnvironmentLight* environment);
   vtkGetObjectMacro(Environment, vtkEnvironmentLight);
@@ -93,36 +94,36 @@ public:
 
   ///@{
   /**
-   * Rectangles that send light, besides the renderer's lights. What comes directly from them is the
+   * Rectangles that send light, in addition to the renderer's lights. Their direct light is the
    * buffer `area`: Lambert's closed form at every pixel, times the share of the light that depth
-   * maps of some of its points see (Visibility none: all of it). Surfaces reflect it: virtual
-   * lights of what four points of each light see, or one where there are more than four, are summed
-   * by the estimator (buffer `bounce`); those that read the lights' maps themselves leave these
-   * out, and the report says so. One that is there already is not added again.
+   * maps of some of its points see (Visibility none: all of it). Surfaces reflect it: the
+   * estimator sums virtual lights of the surfaces that four points of each light see, or one point
+   * if there are more than four lights (buffer `bounce`). Estimators that read the lights' maps
+   * themselves leave these out, and the report says so. Adding a light twice has no effect.
    */
   void AddAreaLight(vtkAreaLight* light);
   void RemoveAreaLight(vtkAreaLight* light);
   void RemoveAllAreaLights();
   int GetNumberOfAreaLights();
-  /** Null where there are not so many. */
+  /** Returns an area light; null if the index is out of range. */
   vtkAreaLight* GetAreaLight(int index);
   ///@}
 
   ///@{
   /**
-   * The opaque part of the picture. Default null: VTK's lights pass, then its opaque pass. It must
-   * draw the props into the framebuffer that it is given: of a pass that draws them into one of its
-   * own, such as vtkSSAOPass or vtkShadowMapPass, no surfaces can be had, and after one error only
-   * its picture is shown. Passes that process images (vtkSSAAPass, vtkToneMappingPass and others)
-   * take this pass as their delegate; under vtkSSAOPass and vtkOutlineGlowPass, which need what
-   * VTK's mappers draw for them, the picture is theirs alone, after one error.
+   * The opaque part of the picture. Default null: VTK's lights pass, then its opaque pass. The
+   * delegate must draw the props into the framebuffer that it is given. A pass that draws them into
+   * its own framebuffer, such as vtkSSAOPass or vtkShadowMapPass, gives no surfaces: after one
+   * error only its picture is shown. Passes that process images (vtkSSAAPass, vtkToneMappingPass
+   * and others) take this pass as their delegate. vtkSSAOPass and vtkOutlineGlowPass need the
+   * output of VTK's mappers: around this pass they show their picture alone, after one error.
    */
   virtual void SetDelegatePass(vtkRenderPass* delegate);
   vtkGetObjectMacro(DelegatePass, vtkRenderPass);
   ///@}
 
   ///@{
-  /** The estimator and the sampler in use, the automatic ones included; never null. */
+  /** Return the estimator and the sampler in use, including automatic ones; never null. */
   vtkIndirectEstimatorPass* GetActiveEstimator();
   vtkVirtualLightSampler* GetActiveSampler();
   ///@}
@@ -139,21 +140,21 @@ public:
   ///@{
   /**
    * The lights of the opaque props. SCENE (default): the renderer's lights, and Environment. The
-   * others are presets, which take the place of the renderer's lights while the frame is drawn, and
-   * follow the camera. Each keeps a share of the renderer's lights as VTK draws them, without
-   * shadows: 0.6, GENTLE 0.8, and where all of them are headlights SOFT 0.4, GENTLE 0.7. In place
-   * of the rest SOFT and GENTLE have a sky that is brighter where these lights come from in the
-   * mean: no hard shadow. FULL has the brightest as a key light with shadows, and the others as
-   * soft lobes of a sky; STUDIO has all of them as lobes. In place of a headlight FULL and STUDIO
-   * have a key, a fill and rims of their own. The renderer's lights are those that are directional
-   * and follow its camera, such as vtkLightKit's; where it has others a headlight of strength 1
-   * stands for them.
+   * others are presets, which replace the renderer's lights while the frame is drawn, and follow
+   * the camera. Each keeps a share of the renderer's lights as VTK draws them, without shadows:
+   * 0.6, GENTLE 0.8; if all lights are headlights SOFT keeps 0.4, GENTLE 0.7. SOFT and GENTLE
+   * replace the other share by a sky that is brighter towards the lights' mean direction: there is
+   * no hard shadow. FULL replaces it by the brightest light as a key light with shadows, and by
+   * the others as soft lobes of a sky; STUDIO has all of them as lobes. FULL and STUDIO replace a
+   * headlight by a key, a fill and rims of their own. The renderer's lights count if all are
+   * directional and follow its camera, such as vtkLightKit's; otherwise a headlight of strength 1
+   * replaces them.
    *
-   * A ball that nothing hides is 1.08 to 1.10 (GENTLE 1.04 to 1.05) times as bright as in plain
-   * VTK, which makes good for light that objects hide from themselves; see the guide. The kept
-   * lights are too bright where something hides them, and nothing is reflected of them. An
-   * Environment that is set takes the place of the preset's sky. Translucent props, volumes and
-   * annotation keep the renderer's lights. With IndirectScale 0 there is no sky, and no preset.
+   * An unoccluded ball is 1.08 to 1.10 (GENTLE 1.04 to 1.05) times as bright as in plain VTK, which
+   * makes up for light that objects hide from themselves; see the guide. The kept lights are too
+   * bright where something hides them, and surfaces reflect none of their light. A given
+   * Environment replaces the preset's sky. Translucent props, volumes and annotation keep the
+   * renderer's lights. With IndirectScale 0 there is no sky, and no preset.
    */
   vtkIndirectClampMacro(Lighting, int, SCENE, STUDIO);
   void SetLightingToScene() { this->SetLighting(SCENE); }
@@ -165,7 +166,7 @@ public:
 
   ///@{
   /**
-   * Let lights cast shadows. Default on: the maps send only from lit surfaces, so direct light
+   * Let lights cast shadows. Default on: only lit surfaces in the maps send light, so direct light
    * without shadows would not match the indirect light.
    */
   vtkIndirectFlagMacro(Shadows);
@@ -182,16 +183,16 @@ public:
   ///@{
   /**
    * The test that tells whether a receiver sees a sender of indirect light. NONE: light passes
-   * through whatever stands between them, and is too bright. VOXELS: the scene's voxels
-   * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators, and, for all but radiance
-   * hints, spheres that mappers draw as such, as they are. MAPS: a depth map of each
+   * through all obstacles, and is too bright. VOXELS: the scene's voxels
+   * (vtkIndirectEstimatorPass::OccupancyResolution), for all estimators, and exact spheres of
+   * mappers that draw such, for all estimators but radiance hints. MAPS: a depth map of each
    * virtual light, drawn by VTK's mappers and kept while the camera moves, for estimators that sum
-   * virtual lights; others take voxels. A frame draws as many as the rate that the window asks
-   * for leaves it (vtkRenderWindow::SetDesiredUpdateRate), those of the environment included. That
-   * is a count of maps, props and triangles, so that a busy machine draws the same picture; until
-   * all are there lights share them, as directions of the environment do, and the report says so.
-   * AUTO (default): voxels where the estimator's Occupancy is on, else maps where the estimator can
-   * take them, else none.
+   * virtual lights; others use voxels. A frame draws as many maps as the window's rate allows
+   * (vtkRenderWindow::SetDesiredUpdateRate), including those of the environment. The number
+   * follows from counts of maps, props and triangles, so that a busy machine draws the same
+   * picture. Until all maps are drawn, lights share them, as directions of the environment do, and
+   * the report says so. AUTO (default): voxels if the estimator's Occupancy is on, else maps if
+   * the estimator can use them, else none.
    */
   vtkIndirectClampMacro(Visibility, int, AUTO, MAPS);
   void SetVisibilityToAuto() { this->SetVisibility(AUTO); }
@@ -202,12 +203,12 @@ public:
 
   ///@{
   /**
-   * Antialias edges of the opaque props: where surfaces end, against whatever lies behind, not
-   * where data on a surface does. Default on. Off, or where the renderer's FXAA,
-   * vtkOpenGLFXAAPass or vtkSSAAPass takes its place, pixels are as they were shaded, bitwise.
-   * Buffers of CopyBuffer and depth are not filtered. Reshetov 2009, Jimenez et al. 2012 (SMAA):
-   * steps of an outline that are up to 63 pixels long are replaced by the line that they stand for;
-   * what is thinner than a pixel stays broken, for which vtkSSAAPass is there.
+   * Antialias edges of the opaque props: where surfaces end, against any background, but not where
+   * data on a surface change. Default on. If it is off, or if the renderer's FXAA,
+   * vtkOpenGLFXAAPass or vtkSSAAPass replaces it, pixels stay as they were shaded, bitwise. Buffers
+   * of CopyBuffer and depth are not filtered. Reshetov 2009, Jimenez et al. 2012 (SMAA): steps of
+   * an outline that are up to 63 pixels long are replaced by the line that they approximate.
+   * Objects thinner than a pixel stay broken; vtkSSAAPass improves these.
    */
   vtkIndirectFlagMacro(Antialiasing);
   ///@}
@@ -215,7 +216,7 @@ public:
   ///@{
   /**
    * Texels along an edge of a light's map. Default 512, range 1 to 16384. Larger maps make sharper
-   * shadows; the indirect light's mean does not depend on it.
+   * shadows; the mean of the indirect light does not depend on this number.
    */
   void SetReflectiveShadowMapResolution(int texels);
   int GetReflectiveShadowMapResolution();
@@ -225,15 +226,16 @@ public:
   /**
    * A light's own size, for the penumbrae of its shadows: LightRadius, in world units, of a
    * positional light, a sphere; LightAngle, the angular radius in degrees, of a directional one
-   * (the sun's is 0.27). Defaults 0: the light is a point, its shadows are hard. Ranges 0 to
-   * VTK_DOUBLE_MAX and 0 to 90; what is no number is 0. It belongs to the light: every pass that
-   * the light is drawn by sees it, and it goes when the light goes.
+   * (the sun's is 0.27). Defaults 0: the light is a point, and its shadows are hard. Ranges 0 to
+   * VTK_DOUBLE_MAX and 0 to 90; a value that is not a number becomes 0. The size belongs to the
+   * light: every pass that draws with the light uses it, and it vanishes with the light.
    *
-   * Visibility is the mean over 32 points of the light, each with depth maps of its own, at most as
-   * fine as ReflectiveShadowMapResolution says and kept while the camera moves. Only shadows become
-   * soft: cosines, highlights, falloff and bounces are those of VTK's light, a point, with no bias
-   * where nothing is in the way. A sphere that the scene reaches into is taken as any other; what
-   * of it lies beyond the scene's middle, and more than the scene's diagonal away, is cut off.
+   * Visibility is the mean over 32 points of the light, each with its own depth maps, which are at
+   * most as fine as ReflectiveShadowMapResolution and are kept while the camera moves. Only shadows
+   * become soft: cosines, highlights, falloff and bounces are those of VTK's light, a point,
+   * without bias where nothing blocks the light. A sphere that the scene reaches into is treated as
+   * any other; its part beyond the scene's middle, and more than the scene's diagonal away, is cut
+   * off.
    */
   static void SetLightRadius(vtkLight* light, double radius);
   static double GetLightRadius(vtkLight* light);
@@ -243,11 +245,11 @@ public:
 
   ///@{
   /**
-   * Bounces of indirect light. Default 0: automatic, all that a random walk finds (128 at most;
-   * paths end by themselves where little light is left) for estimators of virtual lights, as long
-   * as no light with a map follows the camera; else 1. Range 0 to 16. Bounces that neither the
-   * estimator nor a walk computes are listed in the report under left_out, and how much light a
-   * walk leaves for bounces after its last one.
+   * Bounces of indirect light. Default 0: automatic. For estimators of virtual lights, if no light
+   * with a map follows the camera, these are all bounces that a random walk finds (128 at most;
+   * paths end by themselves where little light is left); else 1. Range 0 to 16. The report lists
+   * bounces that neither the estimator nor a walk computes under left_out, with the light of
+   * bounces after a walk's last one.
    */
   vtkIndirectClampMacro(NumberOfBounces, int, 0, 16);
   ///@}
@@ -255,39 +257,39 @@ public:
   ///@{
   /**
    * Factor on the indirect light. Default 1, the physically calibrated value; range 0 to 1e6. At 0
-   * it is not computed; with Shadows off too only the delegate runs and the picture is bitwise its
-   * own.
+   * the indirect light is not computed; with Shadows also off only the delegate runs and the
+   * picture is bitwise its own.
    */
   vtkIndirectClampMacro(IndirectScale, double, 0.0, 1.0e6);
   ///@}
 
   ///@{
   /**
-   * Error of the irradiance that is aimed at, RMS over its mean: radiance hints choose their grid
-   * by it, multiresolution splatting its thresholds, light from the sky its directions (16 to 1024,
-   * at 0 256; a quarter of them in a moving frame), and says what error it estimates. What the
-   * user has set on an estimator stays as it is. The report has the value in force under settings,
-   * and under left_out where that is another. Default 0: the estimators' own parameters hold. Range
-   * 0 to 1.
+   * The wanted error of the irradiance, RMS over its mean. Radiance hints choose their grid by it,
+   * multiresolution splatting its thresholds, and light from the sky its directions (16 to 1024, at
+   * 0 256; a quarter of them in a moving frame). The report has the estimator's own estimate of its
+   * error. Parameters that the user has set on an estimator stay unchanged. The report has the
+   * value in use under settings, and under left_out if it differs. Default 0: the estimators' own
+   * parameters are used. Range 0 to 1.
    */
   vtkIndirectClampMacro(ErrorTolerance, double, 0.0, 1.0);
   ///@}
 
   ///@{
   /**
-   * Keep maps, virtual lights and irradiance while nothing that they depend on has changed. Default
-   * on; off for timing whole frames.
+   * Keep maps, virtual lights and irradiance while their inputs are unchanged. Default on; off for
+   * timing whole frames.
    */
   vtkIndirectFlagMacro(Caching);
   ///@}
 
   ///@{
   /**
-   * Draw depth maps alone in still frames that lack some: irradiance and light of the sky are
-   * summed in the first frame that has them all, once. Default off: every frame sums with the maps
-   * that there are. For a picture that is only looked at when it is complete: render while the
-   * report's tiles_left is above 0. Until then the report names what waits under left_out. Frames
-   * of a camera that moves, frames without Caching, and area lights, whose sums take the maps of
+   * Draw only depth maps in still frames that lack some: irradiance and light of the sky are summed
+   * once, in the first frame that has all maps. Default off: every frame sums with the available
+   * maps. This is for pictures that are only viewed when they are complete: render while the
+   * report's tiles_left is above 0. Until then the report names the waiting sums under left_out.
+   * Frames of a moving camera, frames without Caching, and area lights, whose sums use the maps of
    * one round after another, do not wait.
    */
   vtkIndirectFlagMacro(MapsFirst);
@@ -295,20 +297,20 @@ public:
 
   ///@{
   /**
-   * Take the sky, and the light of it that surfaces reflect, in frames of moving spheres from these
-   * in place of depth maps and virtual lights, as vtkProxyAccumulationPass does; lights of the
-   * renderer keep their estimator. From the second frame on end in which atoms
-   * (vtkMoleculeMapper), vtkOpenGLSphereMapper's or glyphs that are spheres (vtkGlyph3DMapper) are
-   * elsewhere than before, where all else that casts shadows is made of spheres or flat and convex,
-   * the environment has no sun, and ErrorTolerance is 0 or at least 0.05. The first frame in which
-   * nothing has moved has maps again, the ninth while the window gives a frame a second or less.
-   * Interactors render it when an interaction ends; after the last frame of an animation, Render
-   * once more.
-   * Bonds and other sticks are rows of spheres. With splats that vtkPointGaussianMapper's shader
-   * code cuts off by `discard`, which no map has, all frames are so, still ones too.
-   * The report says by whom the sky was made and why. Half of the time or less, at an RMS error
-   * over the mean of 0.05; a still frame has 0.02. Default on; off for a film whose frames may take
-   * their time.
+   * Take the sky, and its light that surfaces reflect, in frames of moving spheres from these
+   * spheres instead of depth maps and virtual lights, as vtkProxyAccumulationPass does. Lights of
+   * the renderer keep their estimator. This begins with the second successive frame in which atoms
+   * (vtkMoleculeMapper), vtkOpenGLSphereMapper's spheres or glyphs that are spheres
+   * (vtkGlyph3DMapper) have moved. It requires that all other casters are made of spheres or are
+   * flat and convex, that the environment has no sun, and that ErrorTolerance is 0 or at least
+   * 0.05. Maps return in the first frame without motion, or in the ninth such frame while the
+   * window's rate is a frame a second or more. Interactors render that frame when an interaction
+   * ends; after the last frame of an animation, Render once more.
+   * Bonds and other sticks are rows of spheres. Splats that vtkPointGaussianMapper's shader code
+   * cuts off by `discard` are in no map: with such splats all frames use spheres, including still
+   * ones. The report says which method made the sky and why. Spheres take half of the time or less,
+   * at an RMS error over the mean of 0.05; a still frame has 0.02. Default on; off for a film whose
+   * frames may take their time.
    */
   vtkIndirectFlagMacro(SpheresInMotion);
   ///@}
@@ -332,8 +334,8 @@ public:
 
   ///@{
   /**
-   * Time the stages, by wall clock and timer queries between glFinish calls, which costs a little
-   * of the overlap between them. Default off. Switching it forgets earlier times.
+   * Time the stages, by wall clock and timer queries between glFinish calls, which costs some of
+   * the overlap between stages. Default off. Switching it discards earlier times.
    */
   void SetTiming(bool timing);
   bool GetTiming();
@@ -341,13 +343,13 @@ public:
   ///@}
 
   /**
-   * The last frame as JSON (schema vtkindirect.report/1): settings, what was modelled and left out
-   * and why, which of two ways were in force where OpenGL decides (paths), virtual lights; bytes:
-   * of the frame's textures and buffers; main_memory_bytes: of what is kept beside them that grows
-   * with the scene and the estimator's settings: voxels, triangles, hints and their rays; counters
-   * since construction: shader_builds, how often VTK asked for a mapper's shader source; and with
-   * Timing on median and 95th percentile of each stage's milliseconds over the frames since, by
-   * wall clock and, where OpenGL has timer queries, by the GPU's clock.
+   * Returns a report of the last frame as JSON (schema vtkindirect.report/1): settings; what was
+   * modelled and left out and why; the alternatives in use where OpenGL decides (paths); virtual
+   * lights; bytes: of the frame's textures and buffers; main_memory_bytes: of other kept data that
+   * grow with the scene and the estimator's settings: voxels, triangles, hints and their rays;
+   * counters since construction: shader_builds, how often VTK asked for a mapper's shader source.
+   * With Timing on it has the median and 95th percentile of each stage's milliseconds over the
+   * frames since, by wall clock and, if OpenGL has timer queries, by the GPU's clock.
    */
   std::string GetReport();
 
@@ -356,14 +358,13 @@ public:
    * lengths in world units, background 0: `final`, `direct`, `indirect` (albedo E + glossy),
    * `irradiance` (E in VTK's units: all that the pass adds to VTK's own direct light) and its parts
    * `sky`, `area` and `bounce`, `glossy`, `albedo`, `normal`, `depth` (along the view axis),
-   * `specular` (reflectance, power of the lobe);
-   * `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density` (the faces of a map in a row); `lights` (four
-   * components, one row a virtual light: position, area; normal, reach; B A, source), `branches`
-   * (what is below each, 72 rows a light, with the area by which it is blunt to near receivers in
-   * place of the source) and `lobes` (what each reflects specularly: direction,
-   * exponent; flux, 0).
-   * An estimator may have more; see its page. Returns false, after one error, for an unknown name
-   * or when the last frame has no such channel.
+   * `specular` (reflectance, power of the lobe); `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density`
+   * (the faces of a map in a row); `lights` (four components, one row for each virtual light:
+   * position, area; normal, reach; B A, source), `branches` (the nodes below each light, 72 rows a
+   * light, with the area that makes it blunt to near receivers in place of the source) and `lobes`
+   * (the specular reflection of each light: direction, exponent; flux, 0). Estimators may have
+   * further channels; see their pages. Returns false, after one error, for an unknown name or when
+   * the last frame has no such channel.
    */
   bool CopyBuffer(const std::string& name, vtkImageData* image);
 
@@ -376,9 +377,9 @@ public:
   /**
    * Property keys of a prop of the renderer (vtkProp::SetPropertyKeys), 1 or 0, each for one prop.
    * CASTS_SHADOWS 0: the prop casts no shadow, and sends no light either, because no light's map
-   * has it; it still receives light. Default 1 of surfaces, 0 of props that turn to the camera.
-   * Lines, points and what has no surface, such as annotation, never cast any. SENDS_LIGHT 0: the
-   * prop casts shadows and sends no indirect light. Default 1.
+   * has it; it still receives light. Default 1 for surfaces, 0 for props that turn to the camera.
+   * Lines, points and props without a surface, such as annotation, never cast shadows. SENDS_LIGHT
+   * 0: the prop casts shadows and sends no indirect light. Default 1.
    * @code
    * vtkNew<vtkInformation> keys;
    * keys->Set(vtkIndirectIlluminationPass::CASTS_SHADOWS(), 0);
@@ -390,17 +391,17 @@ public:
   ///@}
 
   /**
-   * A property key of a prop: the name by which the report and errors call it, such as that of the
-   * file that it shows. Default: none; with VTK 9.2 and later vtkObject::SetObjectName gives one,
-   * too. Props without a name are told apart by the classes of their mapper and its source.
+   * A property key of a prop: the name that the report and errors use for it, such as that of the
+   * file that it shows. Default: none; with VTK 9.2 and later vtkObject::SetObjectName also sets a
+   * name. Props without a name are distinguished by the classes of their mapper and its source.
    */
   static vtkInformationStringKey* NAME();
 
   ///@{
   /**
-   * Further samplers, whose virtual lights are summed besides those of the frame's sampler: a frame
-   * with one needs no vtkLight. For passes that bring light of their own. One that is there already
-   * is not added again.
+   * Further samplers, whose virtual lights are summed in addition to those of the frame's sampler:
+   * a frame with one needs no vtkLight. They are for passes that add light of their own. Adding a
+   * sampler twice has no effect.
    */
   void AddSampler(vtkVirtualLightSampler* sampler);
   void RemoveSampler(vtkVirtualLightSampler* sampler);
@@ -408,16 +409,16 @@ public:
 
   ///@{
   /**
-   * A mesh of fewer triangles that stands for what an actor draws in depth maps of the sky, of
-   * virtual lights, of area lights and of penumbras, wherever it is no farther off than half a
-   * texel of that map; of several the one of the fewest triangles. `error` is that distance, both
-   * ways, in lengths of the actor's mesh, at least 0, as
-   * vtkMeshSimplificationFilter::GetMaximumDistance gives it. The picture and lights' own maps
-   * always have the mesh itself, and so has an actor with textures, clipping planes or shaders of
-   * its own. Levels go when the input of the actor's mapper, or its points or cells, change. The
-   * level is copied; it has triangles alone; one that is added again takes its own place. In a map
-   * it lies behind what it stands for by its distance, so that nothing hides itself; what it hides
-   * within twice that is left bright.
+   * A mesh of fewer triangles that replaces an actor's mesh in depth maps of the sky, of virtual
+   * lights, of area lights and of penumbras, if it deviates by at most half a texel of that map; of
+   * several such meshes the one with the fewest triangles is used. `error` is that deviation, both
+   * ways, in lengths of the actor's mesh, at least 0, as returned by
+   * vtkMeshSimplificationFilter::GetMaximumDistance. The picture and lights' own maps always have
+   * the mesh itself, and so has an actor with textures, clipping planes or shaders of its own.
+   * Levels are dropped when the input of the actor's mapper, or its points or cells, change. The
+   * level is copied and has only triangles; adding it again replaces it. In a map it lies behind
+   * the mesh by its deviation, so that the mesh does not hide itself; receivers within twice that
+   * distance stay lit.
    */
   void AddCoarseLevel(vtkProp* actor, vtkPolyData* level, double error);
   void RemoveCoarseLevels(vtkProp* actor);
@@ -431,7 +432,7 @@ protected:
   vtkVirtualLightSampler* Sampler = nullptr;
   vtkEnvironmentLight* Environment = nullptr;
   vtkRenderPass* DelegatePass = nullptr;
-  vtkReflectiveShadowMapPass* ReflectiveShadowMaps; // of the pipeline
+  vtkReflectiveShadowMapPass* ReflectiveShadowMaps; // maps pass of the pipeline
   vtkIndirectSettings Settings;
   std::string DebugView;
 
@@ -439,16 +440,17 @@ private:
   vtkIndirectIlluminationPass(const vtkIndirectIlluminationPass&) = delete;
   void operator=(const vtkIndirectIlluminationPass&) = delete;
 
-  // Takes the estimator that draws its frames through this pass, without holding it.
+  // Uses an estimator that draws its frames through this pass, without holding it.
   friend class vtkIndirectEstimatorPass;
   void BorrowEstimator(vtkIndirectEstimatorPass* estimator);
 
   void LetGo(vtkWindow* window);
   void ShowDebugView();
-  vtkIndirectEstimatorPass* GetFrameEstimator(); // of the last frame, without one of the next
+  vtkIndirectEstimatorPass* GetFrameEstimator(); // estimator of the last frame, if the next frame
+                                                 // has none
   void RenderDelegate(const vtkRenderState* s, const std::string& why);
   void RefuseDelegate(const std::string& reason);
-  // Warns, once, of the renderer's switches and the passes around that have no effect.
+  // Warns, once, of the renderer's switches and the surrounding passes that have no effect.
   void Say(const vtkRenderState* s, const std::string& around);
   std::string GetChannelNames();
 

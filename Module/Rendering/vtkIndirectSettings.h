@@ -12,7 +12,7 @@
 #ifndef vtkIndirectSettings_h
 #define vtkIndirectSettings_h
 
-/** Set and get a number of `Settings`; what lies outside of the range is clamped to it. */
+/** Set and get a number of `Settings`; values outside of the range are clamped to it. */
 #define vtkIndirectClampMacro(name, type, low, high)                                               \
   virtual void Set##name(type value)                                                               \
   {                                                                                                \

@@ -28,7 +28,7 @@ vtkStandardNewMacro(vtkIndirectSplattingPass);
 namespace
 {
 const char* const Overdraw = "splat.overdraw";
-// Pixels between those at which it is measured what is cut off, where it is not given back.
+// Pixels between the samples that measure the light that is cut off, if it is not restored.
 constexpr int StepOfMeasure = 16;
 
 class SplatSum : public vtkIndirectSum
@@ -62,7 +62,7 @@ private:
   vtkIndirectGlossyGather GlossyGather;
   vtkIndirectLobeGather Lobes;
   vtkIndirectFullScreenProgram OverdrawView{ "vtkIndirectOverdrawFS.glsl" };
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last frame
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // window of the last frame
 };
 }
 

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkIndirectSplattingPass
- * @brief Light of virtual lights, each of which is summed only where it counts
+ * @brief Light of virtual lights, each of which is summed only where it matters
  *
- * Dachsbacher and Stamminger 2006, "Splatting indirect illumination": for each virtual light a
- * splat is drawn that covers the pixels which it may light to more than I_low, and added. I_low is
- * an intensity over a squared distance, and the bound is an ellipsoid about the iso-surface where
- * the light reaches it (section 3.4 and appendix of the paper); see IntensityThreshold.
+ * Dachsbacher and Stamminger 2006, "Splatting indirect illumination": a splat is drawn for each
+ * virtual light and added. It covers the pixels that the light may give more than I_low, an
+ * intensity over a squared distance. The bound is an ellipsoid about the iso-surface where the
+ * light reaches I_low (section 3.4 and appendix of the paper); see IntensityThreshold.
  *
- * Where this differs from the paper:
+ * Differences from the paper:
  * - The light's irradiance is that of vtkRSMGatherPass, the disk kernel, which needs no clamp.
- * Inside its iso-surface it counts, outside it does not, whatever an ellipsoid holds beyond it.
- * - Where lights have branches (vtkLightTreeSampler) receivers that are near to a light sum these,
- * as the gather does, and the bound holds all of them.
- * - What the bounds cut off is not lost: it varies slowly, and is summed at every FarFieldStep-th
- *   pixel and interpolated (FarField). How much it is stands in the report.
+ *   Inside its iso-surface the light counts, outside it does not, even within the ellipsoid.
+ * - If lights have branches (vtkLightTreeSampler), receivers near a light sum its branches, as the
+ *   gather does, and the bound holds all of them.
+ * - The light that the bounds cut off is not lost: it varies slowly, and is summed at every
+ *   FarFieldStep-th pixel and interpolated (FarField). The report has its amount.
  * - Sums do not depend on an order of drawing: splats are blended in 32-bit floats in the order of
  *   the lights, or, with OpenGL 4.3, summed in that order in tiles of 16 x 16 pixels, each of which
  *   lists the ellipsoids that its surfaces meet (`splats` of VTK_INDIRECT_PATHS).
  *
  * Approximations: those of vtkRSMGatherPass over the same lights, to which the result converges as
  * IntensityThreshold goes to 0, and the far field's interpolation, of either sign. Without FarField
- * what is cut off is lost (bias <= 0).
+ * the light that is cut off is lost (bias <= 0).
  *
  * Buffers (vtkIndirectIlluminationPass::DebugView, CopyBuffer): `splat.overdraw`, the number of
  * splats at each pixel over 256 (figure 8 of the paper).
@@ -30,11 +30,11 @@
  * all of them, summed at each of their pixels; see SpecularTransport.
  *
  * Lobes of specular senders have splats of their own beside the light's (section 3.3): an ellipsoid
- * about where the lobe as it is evaluated, normalised and widened near its light, reaches I_low.
- * The light that these cut off is measured and given back with the rest.
+ * about the surface where the lobe, normalised and widened near its light, reaches I_low. The light
+ * that these splats cut off is measured and restored with the rest.
  *
- * Memory: 16 bytes a pixel, 32 for each of those that the far field is summed at, and 32 a light,
- * 64 where lights have lobes.
+ * Memory: 16 bytes a pixel, 32 for each sample of the far field, and 32 a light, 64 if lights have
+ * lobes.
  */
 
 #ifndef vtkIndirectSplattingPass_h
@@ -56,22 +56,22 @@ public:
   ///@{
   /**
    * The lowest intensity over a squared distance at which a virtual light counts is I_low =
-   * IntensityThreshold * I0 / l^2: I0 is the mean intensity of the frame's virtual lights along
-   * their normals, what their lobes send taken as diffuse, and l a twentieth of the diagonal of the
-   * scene's bounds. The mean light reaches l / sqrt(IntensityThreshold): half a diagonal for 0.01,
-   * 0.22 for 0.05, 0.16 for 0.1, whatever the number of lights; one of four times that intensity
-   * twice as far, and a lobe of exponent P and the same flux sqrt((P + 1) / 2) times as far. 0: all
-   * lights count everywhere. Default 0.02, range 0 to 1.
+   * IntensityThreshold * I0 / l^2. I0 is the mean intensity of the frame's virtual lights along
+   * their normals, with the light of lobes taken as diffuse; l is a twentieth of the diagonal of
+   * the scene's bounds. The mean light reaches l / sqrt(IntensityThreshold): half a diagonal for
+   * 0.01, 0.22 for 0.05, 0.16 for 0.1, whatever the number of lights. A light of four times that
+   * intensity reaches twice as far, and a lobe of exponent P and the same flux sqrt((P + 1) / 2)
+   * times as far. 0: all lights count everywhere. Default 0.02, range 0 to 1.
    */
   vtkIndirectClampMacro(IntensityThreshold, double, 0.0, 1.0);
   ///@}
 
   ///@{
   /**
-   * Give back the light that the bounds cut off, as a term that is interpolated between every
-   * FarFieldStep-th pixels. Splats then end smoothly, from 2 I_low to I_low. Without it each ends
-   * with a step of up to I_low times the receiver's cosine, as in the paper, and the picture is
-   * darker. Default on.
+   * Restore the light that the bounds cut off, as a term that is interpolated between every
+   * FarFieldStep-th pixels. Splats then end smoothly, from 2 I_low to I_low. Without it each splat
+   * ends with a step of up to I_low times the receiver's cosine, as in the paper, and the picture
+   * is darker. Default on.
    */
   vtkIndirectFlagMacro(FarField);
   ///@}
@@ -82,9 +82,9 @@ public:
   ///@}
 
   /**
-   * Share of the last frame's irradiance that lay outside of the bounds, by luminance: measured at
-   * every FarFieldStep-th pixel, or without FarField at every 16th. 0 before a frame, and where all
-   * lights count everywhere.
+   * Returns the share of the last frame's irradiance that lay outside of the bounds, by luminance:
+   * measured at every FarFieldStep-th pixel, or without FarField at every 16th. 0 before a frame,
+   * and if all lights count everywhere.
    */
   double GetCutOffShare() const;
 

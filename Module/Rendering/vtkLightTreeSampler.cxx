@@ -16,12 +16,12 @@ vtkStandardNewMacro(vtkLightTreeSampler);
 
 namespace
 {
-// More texels leave less than a thousandth of the mean squared relative error, and takes longer
-// to divide than maps take to draw.
+// More texels leave less than a thousandth of the mean squared relative error, and take longer to
+// divide than maps take to draw.
 constexpr size_t MostTexels = 65536;
 
-// The range of automatic numbers: enough lights of walls and bodies, and of many small objects. See
-// Documentation/methods/light-tree.md.
+// The range of automatic numbers of lights: enough for walls and bodies, and for many small
+// objects. See Documentation/methods/light-tree.md.
 constexpr int LeastLights = 128;
 constexpr int MostLights = 1024;
 
@@ -47,11 +47,12 @@ private:
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
   vtkNew<vtkUniformLightSampler> ViewPattern;
-  std::vector<vtkIndirectSenderClusters::Sender> FromMaps; // where further ones may come and go
-  size_t Sources = 0;                                      // of the texels' lights
+  std::vector<vtkIndirectSenderClusters::Sender> FromMaps; // kept if there are further senders,
+                                                           // which may come and go
+  size_t Sources = 0;                                      // number of the texels' lights
   size_t FurtherTime = 0;
   size_t FurtherMaps = 0;
-  // These numbers tell what the tree and the lights were made of.
+  // These numbers identify the inputs of the tree and the lights.
   vtkMTimeType MapTime = 0;
   int Count = 0;
   bool Automatic = false;
@@ -86,7 +87,7 @@ bool TreeLights::Update(const Input& input)
 {
   const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
   const vtkMTimeType time = input.Maps.GetContentTime();
-  // Without further senders what maps show is not kept beside the tree.
+  // Without further senders the maps' senders are not kept beside the tree, so they are read again.
   const bool anew =
     input.Further && input.Further->Time != this->FurtherTime && this->FromMaps.empty();
   const bool gone = !input.Further && this->FurtherTime != 0;
@@ -98,7 +99,7 @@ bool TreeLights::Update(const Input& input)
   const int wanted = automatic ? MostLights : this->Set.GetNumberOfLights();
   const int most =
     automatic && input.Interactive ? std::min(this->Set.GetNumberOfLights(), MostLights) : wanted;
-  // While nothing but the camera moves, what a still picture had is kept.
+  // While only the camera moves, the lights of a still picture are kept.
   const bool enough = this->Count == most || this->Count == wanted;
   if (same && enough && this->Automatic == automatic && this->Error == error)
   {
@@ -124,7 +125,7 @@ bool TreeLights::Update(const Input& input)
   }
   if (!same)
   {
-    // The maps' senders are kept where only the further ones change.
+    // The maps' senders are kept if there are further ones, which may change alone.
     std::vector<vtkIndirectSenderClusters::Sender> senders =
       further ? this->FromMaps : std::move(this->FromMaps);
     this->FurtherMaps = further ? further->NumberOfMaps : 0;

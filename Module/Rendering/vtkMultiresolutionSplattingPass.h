@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class vtkMultiresolutionSplattingPass
- * @brief Light of virtual lights, summed once for each group of pixels that looks alike
+ * @brief Light of virtual lights, summed once for each group of similar pixels
  *
  * Nichols and Wyman 2009, "Multiresolution splatting for indirect illumination": the image is cut
  * into subsplats, squares of 1 to 2^n pixels, coarse where one surface fills them and fine at edges
- * and creases; all virtual lights are summed once a subsplat; from the coarsest level down each is
- * interpolated with neighbours on the same surface.
+ * and creases. All virtual lights are summed once for each subsplat; from the coarsest level down
+ * each is interpolated with neighbours on the same surface.
  *
- * Where this differs from the paper:
+ * Differences from the paper:
  * - A subsplat is split where its surface leaves a plane, not where its depths differ, so a plane
  *   seen at a grazing angle stays whole (PlaneThreshold). The preset PAPER has the paper's test.
- * - Subsplats that touch differ by one level at most.
- * - Beside the irradiance E each holds the luminance of the vector irradiance, whose projection on
- *   the pixel's own normal corrects E to first order. On curved surfaces this halves the number of
- * subsplats for the same error.
- * - Neighbours count in the interpolation only when they lie on the same plane, so nothing crosses
- *   an edge that runs between two subsplats.
+ * - Adjacent subsplats differ by one level at most.
+ * - In addition to the irradiance E each subsplat holds the luminance of the vector irradiance,
+ *   whose projection on the pixel's own normal corrects E to first order. On curved surfaces this
+ *   halves the number of subsplats for the same error.
+ * - Neighbours count in the interpolation only if they lie on the same plane, so no light crosses
+ *   an edge between two subsplats.
  *
  * Approximations: those of vtkRSMGatherPass over the same lights, to which the result converges as
  * the thresholds go to 0, and the interpolation's error, of either sign.
@@ -28,11 +28,11 @@
  *
  * Receivers with Phong's model and a specular coefficient also reflect the lights in their lobes,
  * from lists of subsplats for each light that are refined by its computed illumination (section 4.1
- * of the paper); the report says where all lights are summed at every pixel instead, and why.
+ * of the paper). The report says whether all lights are summed at every pixel instead, and why.
  *
- * With vtkIndirectIlluminationPass::ErrorTolerance the thresholds are chosen by the pass: in
- * proportion, the defaults for 0.02. One that the user has set stays, whatever its value; the
- * report then says which.
+ * With vtkIndirectIlluminationPass::ErrorTolerance the pass chooses the thresholds in proportion to
+ * it, with the defaults for 0.02. A threshold that the user has set stays, whatever its value; the
+ * report then names it.
  *
  * Memory: at most 24 bytes a pixel.
  */
@@ -63,10 +63,10 @@ public:
 
   ///@{
   /**
-   * Variants of the method. ROBUST splits where a subsplat's surface leaves its plane or its
-   * light bends, balances the subsplats, and follows each pixel's own normal. PAPER splits as
-   * Nichols and Wyman do, by min-max pyramids of depth and normal from 16 texels on, and nothing
-   * hides senders where the pass's Visibility is automatic. Default ROBUST.
+   * Variants of the method. ROBUST splits where a subsplat's surface leaves its plane or its light
+   * bends, balances the subsplats, and follows each pixel's own normal. PAPER splits as Nichols and
+   * Wyman do, by min-max pyramids of depth and normal from 16 texels on, and nothing hides senders
+   * if the pass's Visibility is automatic. Default ROBUST.
    */
   virtual void SetPreset(int preset);
   int GetPreset() const { return this->Settings.Preset; }
@@ -83,7 +83,7 @@ public:
   ///@{
   /**
    * The finest subsplats: pixels, or squares of two by two. With HALF_RESOLUTION pixels that lie on
-   * the surface of no sample around them are evaluated on their own. Default FULL_RESOLUTION.
+   * no surface of the samples around them are evaluated on their own. Default FULL_RESOLUTION.
    */
   vtkIndirectClampMacro(FinestLevel, int, FULL_RESOLUTION, HALF_RESOLUTION);
   void SetFinestLevelToFullResolution() { this->SetFinestLevel(FULL_RESOLUTION); }
@@ -101,8 +101,8 @@ public:
 
   ///@{
   /**
-   * ROBUST: farthest that a subsplat's surface may lie from its mean tangent plane, as a fraction
-   * of the subsplat's width. Default 0.25, range 0 to 100. 0 splits everything.
+   * ROBUST: greatest distance of a subsplat's surface from its mean tangent plane, as a fraction of
+   * the subsplat's width. Default 0.25, range 0 to 100. 0 splits everything.
    */
   virtual void SetPlaneThreshold(double threshold);
   double GetPlaneThreshold() const { return this->Settings.PlaneThreshold.Value; }
@@ -119,8 +119,9 @@ public:
 
   ///@{
   /**
-   * Equation (2) of the paper: the share alpha of the irradiance that goes with the cosine between
-   * normal and eye. Not physical: it darkens. Default 0 (off), range 0 to 1; the paper's is 0.5.
+   * Equation (2) of the paper: the share alpha of the irradiance that is multiplied by the cosine
+   * between normal and eye. Not physical: it darkens. Default 0 (off), range 0 to 1; the paper's is
+   * 0.5.
    */
   vtkIndirectClampMacro(SurfaceDetail, double, 0.0, 1.0);
   ///@}
@@ -136,7 +137,10 @@ private:
 
   friend class vtkIndirectSubsplatSum;
   friend struct vtkIndirectSubsplatDetails;
-  /** One that the user has set stays as it is; others go with the pass's ErrorTolerance. */
+  /**
+   * A threshold. One that the user has set stays unchanged; others follow the pass's
+   * ErrorTolerance.
+   */
   struct Threshold
   {
     double Value;

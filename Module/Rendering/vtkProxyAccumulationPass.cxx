@@ -38,7 +38,7 @@ const vtkIndirectChannel SkyChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// 0, or a number of radii.
+// Clamps a scale to 0, or to a valid number of radii.
 double ClampScale(double scale)
 {
   return scale > 0.0
@@ -75,7 +75,7 @@ public:
 
   vtkIndirectProxyScene::Given Given;
   vtkIndirectProxyScene Scene;
-  int Step = 0; // of the last frame
+  int Step = 0; // step of the last frame
   // Radii within which a sphere hides and sends light, without groups.
   double Hides = 0.0;
   double Sends = 0.0;
@@ -93,11 +93,11 @@ private:
   vtkIndirectProxyTree Tree;
   vtkIndirectProxySums Sums;
   vtkIndirectTarget Sky{ SkyChannels, false };
-  vtkMTimeType TreeTime = 0; // of this pass when the tree was built
+  vtkMTimeType TreeTime = 0; // time of this pass when the tree was built
   bool TreeIsThere = false;
   vtkIndirectProxyStep StepBySpheres;
-  glm::dvec3 Eye{ 0.0 }; // of that, in scene units
-  // Without groups: what an environment needs, and what is used.
+  glm::dvec3 Eye{ 0.0 }; // the eye when the tree was built, in scene units
+  // Without groups: the reach that an environment needs, and its inputs.
   vtkIndirectProxyReach Needed;
   vtkEnvironmentLight* Environment = nullptr; // compared only
   vtkMTimeType EnvironmentTime = 0;
@@ -253,7 +253,7 @@ vtkIndirectEstimate ProxySum::Estimate(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-// Returns whether spheres hide light within other radii than before.
+// Returns true if spheres hide light within other radii than in the last frame.
 bool ProxySum::FindReach(vtkEnvironmentLight* environment)
 {
   const double before = this->Hides;

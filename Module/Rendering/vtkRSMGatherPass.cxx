@@ -37,9 +37,9 @@ const vtkIndirectChannel CoarseChannels[] = {
 const char* const LightsFile = "vtkIndirectGatherVirtualLights.glsl";
 const char* const NeighborhoodFile = "vtkIndirectGatherNeighborhood.glsl";
 
-// Rows of 256 lights in one draw: long draws stall a desktop, and some drivers end them.
+// Rows of 256 lights in one draw: long draws stall a desktop, and some drivers abort them.
 constexpr int RowsPerDraw = 16;
-// The most that interpolation may change of lobes, over their light.
+// The largest error of interpolated lobes, over their light.
 constexpr double LobeTolerance = 0.05;
 
 class GatherSum : public vtkIndirectSum
@@ -74,7 +74,8 @@ private:
   vtkIndirectLobeGather Lobes;
   const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
     std::make_shared<vtkIndirectAllTexelsSampler>();
-  std::string WhatDiskLeaves; // of the last frame; empty where a disk leaves nothing
+  std::string
+    WhatDiskLeaves; // light outside of the last frame's disks, in words; empty if there is none
 };
 }
 
@@ -171,7 +172,7 @@ bool GatherSum::Sum(const Input& input)
   vtkIndirectStageTimer& timer = input.Timer;
   const vtkIndirectFrame& frame = input.Frame;
   const bool neighborhood = input.Lights == nullptr;
-  // The frame's sampler counts its own bytes; this one is no other's.
+  // The frame's sampler counts its own bytes; no other stage counts those of AllTexels.
   if (this->Set.GetMode() != vtkRSMGatherPass::ALL_TEXELS)
   {
     this->AllTexels->Release(frame.Window);
@@ -205,7 +206,7 @@ bool GatherSum::Sum(const Input& input)
         << segments << " samples over all maps; lower NumberOfSamples.");
     return false;
   }
-  // Pixels that interpolation leaves are summed in one go, so more rows are taken everywhere.
+  // The pixels that cannot be interpolated are summed in one draw, which limits the number of rows.
   const bool interpolate = this->Set.GetInterpolation() &&
     this->Set.GetMode() != vtkRSMGatherPass::ALL_TEXELS &&
     rows * vtkIndirectSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
@@ -249,7 +250,7 @@ bool GatherSum::Sum(const Input& input)
   this->Gather[neighborhood].SetDefinitions(definitions);
   this->Upsample[neighborhood].SetDefinitions(definitions);
 
-  // The sum at coarse samples, or at every pixel.
+  // Sums at coarse samples, or at every pixel.
   timer.Begin(vtkIndirectStageTimer::Estimate);
   vtkIndirectTarget& sums = interpolate ? this->Coarse : *this->Irradiance;
   vtkShaderProgram* program =

@@ -11,19 +11,19 @@
  * Modes:
  * - ALL_TEXELS: every texel of every map is a sender; the reference for the other two. Its time
  * grows with pixels times texels.
- * - VIRTUAL_LIGHTS: the lights that the sampler chose, the same for all pixels.
- * - NEIGHBORHOOD: the paper's own: per pixel, texels in a disk around the pixel's place in each
- * map. Its expectation is the sum restricted to that disk; what lies outside is lost (bias <= 0),
- * and the report says so.
+ * - VIRTUAL_LIGHTS: the lights of the sampler, the same for all pixels.
+ * - NEIGHBORHOOD: the paper's own method: per pixel, texels in a disk around the pixel's place in
+ *   each map. Its expectation is the sum restricted to that disk; light from outside is lost (bias
+ *   <= 0), and the report says so.
  *
  * Receivers with a specular coefficient also reflect the same senders in their lobes, summed at
  * each of their pixels with and without interpolation; see SpecularTransport.
  *
- * Approximations: virtual lights are hidden by depth maps or voxels (Visibility of the pass), whose
- * resolution decides; texels by voxels alone (Occupancy, or Visibility VOXELS), else by nothing
- * (bias >= 0), and
- * theirs is one bounce (<= 0). Senders of later bounces are diffuse (<= 0). The kernel is low where
- * r^2 < A, by about -0.6 / sqrt(N) for walls that meet; not so lights of a tree.
+ * Approximations: depth maps or voxels hide virtual lights (Visibility of the pass), with the error
+ * of their resolution. Only voxels hide texels (Occupancy, or Visibility VOXELS), otherwise nothing
+ * does (bias >= 0), and texels give one bounce (<= 0). Senders of later bounces are diffuse (<= 0).
+ * The kernel is low where r^2 < A, by about -0.6 / sqrt(N) for walls that meet, except for lights
+ * of a tree.
  *
  * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel
  * and interpolated where three of the four around lie on the same surface; other pixels sum for
@@ -54,7 +54,7 @@ public:
   };
 
   ///@{
-  /** Which senders are summed. Default VIRTUAL_LIGHTS. */
+  /** The senders that are summed. Default VIRTUAL_LIGHTS. */
   vtkIndirectClampMacro(Mode, int, ALL_TEXELS, NEIGHBORHOOD);
   void SetModeToAllTexels() { this->SetMode(ALL_TEXELS); }
   void SetModeToVirtualLights() { this->SetMode(VIRTUAL_LIGHTS); }
@@ -77,7 +77,7 @@ public:
   ///@}
 
   ///@{
-  /** Interpolate pixels from coarser samples. Default on; ALL_TEXELS never does. */
+  /** Interpolate pixels from coarser samples. Default on; no effect with ALL_TEXELS. */
   vtkIndirectFlagMacro(Interpolation);
   ///@}
 

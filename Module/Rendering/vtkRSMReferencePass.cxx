@@ -31,7 +31,7 @@
 
 vtkStandardNewMacro(vtkRSMReferencePass);
 
-// The widest vectors that the machine has, chosen when the library is loaded.
+// Uses the widest vectors of the machine, chosen when the library is loaded.
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #define VTK_INDIRECT_VECTORIZED __attribute__((target_clones("avx512f", "avx2,fma", "default")))
 #else
@@ -40,7 +40,8 @@ vtkStandardNewMacro(vtkRSMReferencePass);
 
 namespace
 {
-// Senders side by side in a block; sums over blocks stay independent, so compilers vectorise them.
+// A block holds this many senders side by side; sums over blocks stay independent, so compilers
+// vectorise them.
 constexpr size_t Lanes = 8;
 
 struct SenderBlock
@@ -59,7 +60,7 @@ struct Receiver
   double ToEye[3];
 };
 
-// vtkiMeanProjection as this receiver sees it, which may face the sender.
+// Returns vtkiMeanProjection for this receiver, which may face the sender.
 inline double FindProjection(
   double projected, double normals, double spread, double squaredDistance)
 {
@@ -105,7 +106,7 @@ void Sum(const SenderBlock* blocks, size_t count, const Receiver& receiver, doub
   }
 }
 
-// The same for the specular lobe of a receiver.
+// Sums the same for the specular lobe of a receiver.
 void SumLobe(
   const SenderBlock* blocks, size_t count, const Receiver& receiver, double power, double* total)
 {
@@ -148,8 +149,8 @@ void SumLobe(
   }
 }
 
-// Adds lobes to the irradiance, and to what a lobe of that power reflects; power < 0: there is
-// none.
+// Adds lobes to the irradiance, and to the reflection of a lobe of that power; power < 0: there is
+// no such lobe.
 template <typename Lines>
 void SumLobes(const std::vector<vtkIndirectReferenceLobe>& senders,
   const std::vector<typename Lines::End>& ends, const Lines& lines, const Receiver& receiver,
@@ -181,8 +182,8 @@ void SumLobes(const std::vector<vtkIndirectReferenceLobe>& senders,
   }
 }
 
-// Several classes of one form say whether two points on surfaces see each other: a kind of End,
-// FindEnd(position, normal) and IsVisible(End, End). vtkIndirectSightLines asks the surfaces
+// Several classes of the same form tell whether two points on surfaces see each other: a type End,
+// FindEnd(position, normal) and IsVisible(End, End). vtkIndirectSightLines tests the surfaces
 // themselves, VoxelLines the voxels.
 struct VoxelLines
 {
@@ -196,7 +197,7 @@ struct VoxelLines
   bool IsVisible(const End& a, const End& b) const { return this->Field.IsVisible(a, b); }
 };
 
-// SphereLines asks the spheres in lists, as shaders do.
+// SphereLines tests the lists of spheres, as shaders do.
 struct SphereLines
 {
   using End = glm::dvec3;
@@ -206,7 +207,7 @@ struct SphereLines
   bool IsVisible(const End& a, const End& b) const { return this->Grid.IsFree(a, b); }
 };
 
-// Two ways, of which either hides.
+// BothLines combines two tests, either of which hides.
 template <typename First, typename Second>
 struct BothLines
 {
@@ -229,7 +230,7 @@ struct BothLines
   }
 };
 
-// Nothing hides anything.
+// OpenLines hides nothing.
 struct OpenLines
 {
   struct End
@@ -239,7 +240,7 @@ struct OpenLines
   bool IsVisible(const End&, const End&) const { return true; }
 };
 
-// Lanes that stay empty have no normal.
+// Empty lanes have no normal.
 glm::dvec3 Normalized(const glm::dvec3& normal)
 {
   const double length = glm::length(normal);
@@ -274,7 +275,7 @@ typename Lines::End FindEnd(const Receiver& receiver, const Lines& lines)
   return lines.FindEnd({ p[0], p[1], p[2] }, { n[0], n[1], n[2] });
 }
 
-// The senders without those that the receiver does not see.
+// Finds the senders that the receiver sees.
 template <typename Lines>
 void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds<Lines>& ends,
   const Lines& lines, const Receiver& receiver, const typename Lines::End& end,
@@ -286,7 +287,7 @@ void FindVisible(const std::vector<SenderBlock>& blocks, const SenderEnds<Lines>
     SenderBlock& visible = visibleBlocks[b];
     for (size_t i = 0; i < Lanes; ++i)
     {
-      double facing[2] = { 0.0, 0.0 }; // of the sender, and of the receiver
+      double facing[2] = { 0.0, 0.0 }; // cosines at the sender, and at the receiver
       for (int c = 0; c < 3; ++c)
       {
         const double toSender = visible.Position[c][i] - receiver.Position[c];
@@ -309,8 +310,8 @@ struct DirectionLight
   glm::dvec3 Light; // radiance times solid angle
 };
 
-// Adds what comes from directions to the irradiance, and to what a lobe of that power reflects;
-// power < 0: there is none.
+// Adds the light of directions to the irradiance, and to the reflection of a lobe of that power;
+// power < 0: there is no such lobe.
 template <typename Lines>
 void SumDirections(const std::vector<DirectionLight>& directions, const Lines& lines,
   const Receiver& receiver, const typename Lines::End& end, double power, double* total,
@@ -324,7 +325,7 @@ void SumDirections(const std::vector<DirectionLight>& directions, const Lines& l
   for (const DirectionLight& light : directions)
   {
     const double cosine = glm::dot(normal, light.ToLight);
-    // Twice the diagonal of the scene away nothing stands any more.
+    // The segment is twice as long as the scene's diagonal, so it leaves the scene.
     if (!(cosine > 0.0) ||
       !lines.IsVisible(end, lines.FindEnd(position + 2.0 * light.ToLight, -light.ToLight)))
     {
@@ -366,7 +367,7 @@ std::vector<SenderBlock> ReadSenders(
     }
     if (kept % Lanes == 0)
     {
-      // Lanes that stay empty send nothing from a place of their own.
+      // Empty lanes send nothing; their area of one avoids a division by zero.
       SenderBlock empty = {};
       std::fill(empty.Area, empty.Area + Lanes, 1.0);
       blocks.push_back(empty);
@@ -387,7 +388,7 @@ std::vector<SenderBlock> ReadSenders(
   return blocks;
 }
 
-// The receiver at a pixel, or false where nothing lit was drawn.
+// Makes the receiver at a pixel. Returns false if nothing lit was drawn there.
 bool MakeReceiver(
   const vtkIndirectFrame& frame, const float* surface, int i, int j, Receiver& receiver)
 {
@@ -414,12 +415,12 @@ bool MakeReceiver(
   return true;
 }
 
-// The material of a frame's sums, and their results; four values a pixel.
+// The inputs of a frame's sums, and their results; four values a pixel.
 struct Sums
 {
   const vtkIndirectFrame& Frame;
   const std::vector<float>& Surfaces;
-  const std::vector<float>& Specular; // empty where nothing reflects specularly
+  const std::vector<float>& Specular; // empty if nothing reflects specularly
   std::vector<SenderBlock> Senders;
   std::vector<DirectionLight> Directions;
   std::vector<vtkIndirectReferenceLobe> Lobes;
@@ -458,7 +459,7 @@ struct Sums
             const std::vector<SenderBlock>& blocks = hides ? visible : this->Senders;
             Sum(blocks.data(), blocks.size(), receiver, total);
             const float* lobe = this->Specular.empty() ? nullptr : &this->Specular[4 * p];
-            // Below zero: roughness of PBR, which area lights alone know.
+            // Values below zero are the roughness of PBR, which only area lights use.
             const bool mirrors =
               lobe && lobe[3] >= 0.0f && std::max({ lobe[0], lobe[1], lobe[2] }) > 0.0f;
             double reflected[3] = { 0.0, 0.0, 0.0 };

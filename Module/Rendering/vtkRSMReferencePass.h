@@ -3,26 +3,26 @@
  * @class vtkRSMReferencePass
  * @brief The sum over senders at every pixel, in double precision on the CPU
  *
- * The oracle for estimators that promise to converge to one diffuse bounce, with or without
+ * The reference for estimators that must converge to one diffuse bounce, with or without
  * visibility: it reads the geometry buffer and the virtual lights back and evaluates, in double
  * precision and with code of its own,
  *
  *     E(x) = sum over senders p of B_p A_p cosS cosR / (pi r^2 + A_p)
  *
- * at every pixel, with no interpolation, and at specular pixels what their lobes reflect,
+ * at every pixel, with no interpolation, and at specular pixels the reflection in their lobes,
  *
  *     S(x) = sum over senders p of B_p A_p cosS max(R.V, 0)^power / (pi r^2 + A_p).
  *
- * Both with what senders reflect specularly: their lobes, of flux F_p, add
- * F_p I(w) cosR / (r^2 + A_p / (pi max(P', 1))) to E and the same without cosR, times the
- * receiver's lobe, to S (vtkIndirectLibSenderLobe.glsl has the lobe I and how it is normalised).
+ * Both sums include the specular reflection of senders: their lobes, of flux F_p, add F_p I(w) cosR
+ * / (r^2 + A_p / (pi max(P', 1))) to E and the same without cosR, times the receiver's lobe, to S
+ * (vtkIndirectLibSenderLobe.glsl has the lobe I and its normalisation).
  *
  * In mode ALL_TEXELS the senders are all texels of all maps:
  * with maps of 256 texels squared that is the reference called R1. In mode VIRTUAL_LIGHTS they are
  * the sampler's lights, which isolates the arithmetic of a shader from its sampling.
  *
- * Visibility says which senders a pixel sees: all, those that voxels and spheres of the scene do
- * not hide, or those that none of its triangles and spheres hides
+ * Visibility chooses the senders that a pixel sees: all, those that voxels and spheres of the scene
+ * do not hide, or those that none of its triangles and spheres hides
  * (Documentation/methods/occupancy.md).
  *
  * Cost: pixels times senders, about 10^9 terms a second on two cores. It uses VTK's threads.
@@ -53,7 +53,7 @@ public:
   };
 
   ///@{
-  /** Which senders are summed. Default ALL_TEXELS. */
+  /** The senders that are summed. Default ALL_TEXELS. */
   vtkIndirectClampMacro(Mode, int, ALL_TEXELS, VIRTUAL_LIGHTS);
   void SetModeToAllTexels() { this->SetMode(ALL_TEXELS); }
   void SetModeToVirtualLights() { this->SetMode(VIRTUAL_LIGHTS); }
@@ -68,13 +68,13 @@ public:
 
   ///@{
   /**
-   * The obstacles that hide senders from receivers. NONE: nothing, unless Occupancy is on, which
-   * then means the same as VOXELS. VOXELS: occupied voxels and spheres, as with Occupancy. EXACT:
-   * the triangles of all props that cast shadows, and what mappers draw as spheres, by a segment
-   * from each pixel to each sender that faces it; both sides of a triangle block. What else mappers
-   * draw without polygons that the processor can read blocks nothing; the report names such props.
-   * Surfaces hide no light from what is nearer to them than 1e-5 of the scene's diagonal. Default
-   * NONE.
+   * The obstacles that hide senders from receivers. NONE: no obstacle, unless Occupancy is on,
+   * which then means the same as VOXELS. VOXELS: occupied voxels and spheres, as with Occupancy.
+   * EXACT: the triangles of all props that cast shadows, and the spheres of mappers that draw such,
+   * by a segment from each pixel to each sender that faces it; both sides of a triangle block.
+   * Mappers without polygons that the processor can read draw other shapes, which block nothing;
+   * the report names such props. Surfaces hide no light from places nearer to them than 1e-5 of the
+   * scene's diagonal. Default NONE.
    */
   vtkIndirectClampMacro(Visibility, int, NONE, EXACT);
   void SetVisibilityToNone() { this->SetVisibility(NONE); }

@@ -6,15 +6,15 @@
  * After Papaioannou 2011, "Real-time diffuse global illumination using radiance hints". Hints are
  * points of a grid that hold the incoming radiance as spherical harmonics. Senders of the lights'
  * maps are summed at each hint, further bounces go from hints to surfaces and back, and pixels look
- * their irradiance up at the hints around them. The cost of a frame in which neither lights nor
- * surfaces change is that look-up alone; hints are fixed in the world.
+ * up their irradiance at the hints around them. A frame in which neither lights nor surfaces change
+ * costs that look-up alone, because hints are fixed in the world.
  *
  * The preset ROBUST goes beyond the paper: all of a map is read, in blocks, instead of some of its
  * texels; a sender is at least as large as a share of a hint's cell; irradiance is never negative,
  * nor too dark where light comes from one side; voxels of the scene's surfaces hide senders from
  * hints and hints from pixels (Occupancy); later bounces come from the surfaces that rays meet,
- * with their albedo, instead of from other hints; hints far from all surfaces are not computed,
- * where polygons are all there is; pixels look up once.
+ * with their albedo, instead of from other hints; hints far from all surfaces are not computed if
+ * all surfaces are polygons; pixels look up once.
  *
  * Approximations: order 2 or 3 of spherical harmonics blurs light over directions, the grid over
  * places; surfaces thinner than a voxel of the occupancy volume are a voxel thick.
@@ -69,7 +69,7 @@ public:
 
   ///@{
   /**
-   * Space that the grid spans: the scene's bounds, or the part of them that the view can see, which
+   * The space of the grid: the scene's bounds, or the part of them that the view can see, which
    * makes smaller cells but moves the hints with the camera. Default SCENE.
    */
   vtkIndirectClampMacro(Extent, int, SCENE, VIEW);
@@ -79,11 +79,11 @@ public:
 
   ///@{
   /**
-   * Hints along x, y and z, clamped to 0 to 64. Default 0 0 0: by the pass's ErrorTolerance, within
-   * 0.002 to 1, and by 0.05 where that is 0. Light from a distance of a quarter of the scene is
+   * Hints along x, y and z, clamped to 0 to 64. Default 0 0 0: chosen by the pass's ErrorTolerance,
+   * within 0.002 to 1, and by 0.05 if that is 0. Light from a distance of a quarter of the scene is
    * interpolated over a cell c of an extent D with an error of about 12 (c/D)^2: 16 hints along the
    * longest axis for 0.05. The rays of all hints may be 2^28, a table of 1 GiB: a frame with more
-   * has an error and no indirect light.
+   * rays has an error and no indirect light.
    */
   virtual void SetGridResolution(int x, int y, int z);
   void SetGridResolution(const int resolution[3])
@@ -102,8 +102,8 @@ public:
 
   ///@{
   /**
-   * Grids: 1, or 2 for a second, finer one around the camera's focal point that fades into the
-   * first over its outermost two cells. Default 1.
+   * Number of grids: 1, or 2 for a second, finer one around the camera's focal point that fades
+   * into the first over its outermost two cells. Default 1.
    */
   vtkIndirectClampMacro(NumberOfGrids, int, 1, 2);
   ///@}
@@ -115,23 +115,23 @@ public:
 
   ///@{
   /**
-   * PAPER: samples a hint, divided among the faces of all maps. Default 40, range 1 to 4096.
-   * ROBUST, and both with a single headlight, which has no map, read all senders.
+   * PAPER: samples a hint, divided among the faces of all maps. Default 40, range 1 to 4096. ROBUST
+   * reads all senders, as do both presets with a single headlight, which has no map.
    */
   vtkIndirectClampMacro(NumberOfSamples, int, 1, 4096);
   ///@}
 
   ///@{
   /**
-   * Section 8 of the paper: whether the eye's depth hides senders from hints. Not physical; makes
-   * hints depend on the camera. Default off.
+   * Section 8 of the paper: let the eye's depth hide senders from hints. Not physical; makes hints
+   * depend on the camera. Default off.
    */
   vtkIndirectFlagMacro(DepthOcclusion);
   ///@}
 
   ///@{
   /**
-   * Pixels from one look-up to the next; between them it is interpolated. Default 4, range 1 to 16.
+   * Pixels from one look-up to the next; pixels between are interpolated. Default 4, range 1 to 16.
    */
   vtkIndirectClampMacro(InterpolationStep, int, 1, 16);
   ///@}
@@ -139,14 +139,14 @@ public:
   ///@{
   /**
    * Share of the last frame's irradiance that a pixel keeps, against flicker of moving lights; 0.5
-   * in the paper. Default 0, right for still images; range 0 to 0.95. While nothing changes the
-   * irradiance goes on to its value without smoothing, and has it, bit for bit, when all but
+   * in the paper. Default 0, right for still images; range 0 to 0.95. In an unchanged scene the
+   * irradiance approaches its value without smoothing, and reaches it, bit for bit, when all but
    * 2^-12 of a difference would be gone: after 12 equal frames for 0.5, 38 for 0.8, 163 for 0.95.
    */
   vtkIndirectClampMacro(TemporalSmoothing, double, 0.0, 0.95);
   ///@}
 
-  /** Hints of the last frame, and those of them that were computed. */
+  /** Return the number of hints in the last frame, and of those that were computed. */
   int GetNumberOfHints() const;
   int GetNumberOfActiveHints() const;
 

@@ -21,21 +21,21 @@ vtkStandardNewMacro(vtkRandomWalkLightSampler);
 
 namespace
 {
-// A tree is made of so many times fewer vertices while things move.
+// While things move, a tree is made of this many times fewer vertices.
 constexpr int FewerWhileMoving = 4;
 
-// However many frames a walk extends over.
+// Largest number of vertices, however many frames a walk extends over.
 constexpr int MostVertices = 1048576;
 
-// The area by which later vertices are smoothed over theirs, in a tree of so many: places are
-// random, and with less those beside a crease would show one by one. It costs rooms half a per cent
-// of their light.
+// Returns the ratio of the area over which later vertices are smoothed to their own area, in a tree
+// of this many vertices. Places are random, and with less smoothing vertices beside a crease would
+// show one by one. The smoothing costs rooms half a per cent of their light.
 double FindSmoothing(int vertices)
 {
   return 12.0 * std::sqrt(8192.0 / vertices);
 }
 
-// The inputs of the paths, besides the surfaces.
+// Makes a key of the inputs of the paths, except the surfaces.
 vtkIndirectKey MakeKey(const std::vector<vtkIndirectRandomWalk::Source>& sources,
   const vtkIndirectRandomWalk::Settings& settings)
 {
@@ -72,19 +72,19 @@ private:
   void FindSenders(vtkIndirectFurtherSenders& senders) const;
 
   const vtkRandomWalkLightSampler& Set;
-  vtkMTimeType SurfacesTime = 0; // of the surfaces that the paths met
+  vtkMTimeType SurfacesTime = 0; // time of the surfaces that the paths met
   size_t NumberOfTriangles = 0;
   size_t NumberOfSpheres = 0;
   size_t NumberOfTreeBuilds = 0;
-  std::vector<std::pair<std::string, std::string>> LeftOut; // of the surfaces
+  std::vector<std::pair<std::string, std::string>> LeftOut; // entries of the surfaces
   vtkIndirectRandomWalk Paths;
   vtkIndirectSenderClusters Clusters;
   size_t NumberOfSources = 0;
   int NumberOfWalks = 0;
-  int Frames = 0;       // over which the walk extends by now
+  int Frames = 0;       // number of frames that the walk extends over so far
   bool HasMore = false; // a still frame would have more vertices
   double Smoothing = 1.0;
-  vtkIndirectKey WalkKey;  // the inputs of the paths, besides surfaces; empty: there are none
+  vtkIndirectKey WalkKey;  // the inputs of the paths, except surfaces; empty: there are no paths
   vtkIndirectKey TableKey; // the further inputs of the lights
   vtkIndirectFurtherSenders Further;
 };
@@ -108,7 +108,7 @@ void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 
 //------------------------------------------------------------------------------
 // Vertices of a light's first bounce cover surfaces once, as the texels of a map do; those of all
-// later bounces together do so once more.
+// later bounces together cover them once more.
 void WalkLights::FindSenders(vtkIndirectFurtherSenders& senders) const
 {
   senders.Senders.clear();
@@ -124,7 +124,7 @@ void WalkLights::FindSenders(vtkIndirectFurtherSenders& senders) const
 }
 
 //------------------------------------------------------------------------------
-// Follows the paths where they have changed, and returns whether they have.
+// Follows the paths if they have changed. Returns true if they have.
 bool WalkLights::Walk(const Input& input)
 {
   std::vector<vtkIndirectRandomWalk::Source> sources;
@@ -135,7 +135,7 @@ bool WalkLights::Walk(const Input& input)
       sources.push_back({ light, light.Color, 1 });
     }
   }
-  // The first bounce of these comes from maps of their own.
+  // The first bounce of emitters comes from maps of their own.
   for (size_t i = 0; input.Emitters && i < input.Emitters->size(); ++i)
   {
     sources.push_back({ (*input.Emitters)[i].Light, (*input.Emitters)[i].Strength, 2 });
@@ -165,7 +165,8 @@ bool WalkLights::Walk(const Input& input)
   {
     return false;
   }
-  // Paths go on in their sequence; to follow the first ones again takes less than to keep them.
+  // Paths go on in their sequence. The first ones are followed again, which is cheaper than keeping
+  // them.
   settings.NumberOfVertices *= number;
   this->Frames = number;
   this->Paths.Walk(*input.Surfaces, input.Frame, sources, settings);
@@ -262,7 +263,7 @@ void WalkLights::AddToReport(vtkIndirectReport& report) const
       (this->Set.GetNumberOfFrames() > 1 ? ", frame " + std::to_string(this->Frames) + " of " +
             std::to_string(this->Set.GetNumberOfFrames())
                                          : std::string()));
-  // A hundredth is what the walk's noise hides.
+  // A hundredth is below the walk's noise.
   if (this->Paths.GetTail() > 0.01)
   {
     report.LeftOut.emplace_back("bounces beyond the walk's last one",

@@ -4,21 +4,21 @@
  * @brief Virtual lights without light maps: where paths from the lights meet surfaces
  *
  * Rays leave the lights by a low-discrepancy sequence and go on, by diffuse reflection, through the
- * scene's triangles; each place that a path meets is a virtual light of one bounce more than the
+ * scene's triangles. Each place that a path meets is a virtual light of one bounce more than the
  * one before it (Keller 1997, "Instant radiosity"; Dachsbacher and Stamminger 2006, "Splatting
  * indirect illumination", section 3.7). So there are lights of all bounces up to
  * vtkIndirectIlluminationPass::NumberOfBounces, for every estimator that sums virtual lights, and
- * no map is drawn but those that shadows of direct light need.
+ * the only maps are those for shadows of direct light.
  *
  * Rays meet the polygons that VTK's mappers draw, glyphs and spheres of impostors, lit as VTK
  * lights them: properties, scalars' and blocks' colours, textures, interpolated normals, culling.
- * Props with neither polygons that the processor can read nor spheres neither stop rays nor send
- * light of them; the report says so. The tree of triangles is made again only when geometry
- * changes, paths only when lights or surfaces do; the report counts both (walks, walk_trees). A
- * light that moves a little moves the virtual lights a little.
+ * Props with neither polygons that the processor can read nor spheres do not stop rays and send no
+ * light of them; the report names such props. The tree of triangles is made again only when
+ * geometry changes, paths only when lights or surfaces do; the report counts both (walks,
+ * walk_trees). A light that moves a little moves the virtual lights a little.
  *
  * There are about NumberOfLights virtual lights, over all lights of the scene and all bounces
- * together: as many paths are followed as are expected to have so many vertices.
+ * together: the number of paths is chosen for this expected number of vertices.
  */
 
 #ifndef vtkRandomWalkLightSampler_h
@@ -37,17 +37,17 @@ public:
 
   ///@{
   /**
-   * First bounce whose lights are made: 2 gives what a sampler of the first bounce leaves out, for
-   * vtkIndirectIlluminationPass::AddSampler. Default 1, range 1 to 16.
+   * First bounce whose lights are made: 2 adds the bounces that a sampler of the first bounce
+   * leaves out, for vtkIndirectIlluminationPass::AddSampler. Default 1, range 1 to 16.
    */
   vtkIndirectClampMacro(FirstBounce, int, 1, 16);
   ///@}
 
   ///@{
   /**
-   * Vertices of paths, about, that the lights are made of, as vtkLightTreeSampler makes lights of
-   * maps' texels: NumberOfLights clusters at most, below which near receivers sum more. Of what
-   * changes while the window gives a frame a second or less
+   * Approximate number of vertices of paths that the lights are made of, as vtkLightTreeSampler
+   * makes lights of maps' texels: at most NumberOfLights clusters, with branches that near
+   * receivers sum. In changing scenes, while the window's rate is a frame a second or more
    * (vtkRenderWindow::SetDesiredUpdateRate), a quarter as many. Default 0: each light is a vertex.
    * Range 0 to 1048576.
    */
@@ -56,10 +56,10 @@ public:
 
   ///@{
   /**
-   * Frames over which the walk extends while no light and no surface changes, and the window gives
-   * a frame more than a second (vtkRenderWindow::SetDesiredUpdateRate): the second has twice as
-   * many paths as the first, and so on; 1048576 vertices at most. What changes begins anew. Default
-   * 1, range 1 to 1024.
+   * Number of frames over which the walk extends while no light and no surface changes, and the
+   * window's rate is below a frame a second (vtkRenderWindow::SetDesiredUpdateRate): the second
+   * frame has twice as many paths as the first, and so on; 1048576 vertices at most. Any change
+   * begins a new walk. Default 1, range 1 to 1024.
    */
   vtkIndirectClampMacro(NumberOfFrames, int, 1, 1024);
   ///@}

@@ -11,17 +11,17 @@
  * - rsm.surface, RGBA32F: octahedral normal (the face's view coordinates), linear depth along its
  * axis
  * - rsm.slope, RG16F: slope of the depth, from which follows the facet's normal n_g
- * - rsm.specular, RGBA16F: specular colour and power of VTK's Phong model, of its PBR F0 and minus
- * the roughness; there only where senders have lobes
+ * - rsm.specular, RGBA16F: specular colour and power of VTK's Phong model, for its PBR F0 and minus
+ *   the roughness; exists only if senders have lobes
  * and a depth array for percentage-closer shadow look-ups.
  *
- * When it is sampled, albedo (n_s.l)/(n_g.l) times att(d) d^2 cone (positional lights) is the
- * reflected density, and that times the texel's solid angle (directional: its area) and the light's
- * intensity the reflected radiance times area, B A. The density does not depend on the resolution:
- * the sum of B A over a map is the light's reflected flux at any number of texels.
+ * When the maps are sampled, albedo (n_s.l)/(n_g.l) times att(d) d^2 cone (positional lights) is
+ * the reflected density. Times the texel's solid angle (directional: its area) and the light's
+ * intensity it is the reflected radiance times area, B A. The density does not depend on the
+ * resolution: the sum of B A over a map is the light's reflected flux at any number of texels.
  *
- * A face is drawn again only when its light's place, anything that it can see or the resolution has
- * changed; strength, falloff and exponent redraw nothing.
+ * A face is drawn again only when its light's place, anything that the face can see or the
+ * resolution has changed. A light's strength, falloff and exponent redraw nothing.
  */
 
 #ifndef vtkReflectiveShadowMapPass_h
@@ -44,15 +44,15 @@ public:
 
   ///@{
   /**
-   * Texels along an edge of a map. Default 512, range 1 to 16384; OpenGL's own limit is reported as
-   * an error when a frame is drawn. Where all faces of all maps, more than six, would have more
-   * than 32 million texels (1.3 GB with shadows: 128 faces of 512) they have a half, a quarter and
-   * so on along an edge, and the report says so.
+   * Texels along an edge of a map. Default 512, range 1 to 16384; OpenGL's own limit is reported
+   * as an error when a frame is drawn. If more than six faces of all maps together would have more
+   * than 32 million texels (1.3 GB with shadows: 128 faces of 512), they have a half, a quarter
+   * and so on along an edge, and the report says so.
    */
   vtkIndirectClampMacro(Resolution, int, 1, 16384);
   ///@}
 
-  /** Number of lights that have a map in the last frame. */
+  /** Returns the number of lights that have a map in the last frame. */
   int GetNumberOfMaps() const;
 
   /** Draws the maps of a state's lights. */

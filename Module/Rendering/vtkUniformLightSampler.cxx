@@ -75,7 +75,7 @@ void UniformLights::MakePattern(const std::vector<Source>& sources, std::vector<
     }
     const int faces = static_cast<int>(end - first);
     const Source& shape = sources[first];
-    // A disk in its square: the concentric map spends every light on the lit part.
+    // A disk in its square: the concentric map puts every light on the lit part.
     const double texels = static_cast<double>(shape.Size[0]) * shape.Size[1] *
       (shape.Disk ? vtkIndirectSamplePattern::DiskShare : 1.0);
     auto add = [&](double u, double v, int face, double weight)
@@ -90,8 +90,9 @@ void UniformLights::MakePattern(const std::vector<Source>& sources, std::vector<
 
     if (places == vtkUniformLightSampler::LOW_DISCREPANCY && shape.CosCone <= 1.0)
     {
-      // Directions spread evenly over the cone of light, or the sphere: none is spent on faces, or
-      // parts of them, that no light reaches. Each stands for its share of the solid angle.
+      // Directions are spread evenly over the cone of light, or the sphere: none is lost on faces,
+      // or parts of them, that no light reaches. Each direction represents its share of the solid
+      // angle.
       for (int i = 0; i < perLight; ++i)
       {
         const glm::vec3 direction(

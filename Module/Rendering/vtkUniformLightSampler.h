@@ -4,10 +4,10 @@
  * @brief Virtual lights spread evenly over the texels of the lights' maps that send light
  *
  * The lights of the scene share NumberOfLights equally. A pattern in the unit square, which depends
- * on nothing but the numbers given here, is warped to the texels that send light, so that none of
- * it is lost on the others (Documentation/methods/importance-sampling.md); where all texels do, the
- * warp changes nothing. Maps of several faces have lights spread evenly over directions. Of maps of
- * more than 256 texels along an edge one texel stands for several.
+ * only on these parameters, is warped to the texels that send light, so that no light is lost on
+ * other texels (Documentation/methods/importance-sampling.md); if all texels send light, the warp
+ * changes nothing. Lights of maps of several faces are spread uniformly over directions. In maps of
+ * more than 256 texels along an edge one texel represents several.
  */
 
 #ifndef vtkUniformLightSampler_h
@@ -41,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Draw lights from texels that send light only. Off, they are spread over whole
-   * maps, as in the paper, and those on the other texels have no light. Default on.
+   * Draw lights only from texels that send light. If it is off, lights are spread over whole maps,
+   * as in the paper, and those on other texels have no light. Default on.
    */
   vtkIndirectFlagMacro(LitTexels);
   ///@}
@@ -50,9 +50,9 @@ public:
   ///@{
   /**
    * Multiply each light by the share of the hemisphere above it that other surfaces in its map fill
-   * within a tenth of the scene's diagonal, so that lights that few surfaces are near to are small
+   * within a tenth of the scene's diagonal, so that lights with few surfaces near them are small
    * (Dachsbacher and Stamminger 2006, section 3.6). Not physical: too dark, by all light of open
-   * surfaces, and no part of any comparison with a reference. Default off.
+   * surfaces, and not part of any comparison with a reference. Default off.
    */
   vtkIndirectFlagMacro(AmbientOcclusion);
   ///@}

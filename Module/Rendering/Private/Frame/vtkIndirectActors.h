@@ -11,7 +11,10 @@ class vtkProp;
 
 namespace vtkIndirectActors
 {
-/** Calls for each visible actor with a mapper in a prop, with its matrix in world coordinates. */
+/**
+ * Calls the function for each visible actor with a mapper in a prop, with the actor's matrix in
+ * world coordinates.
+ */
 void ForEach(vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& call);
 }
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Remembers the delegate of whose picture no surfaces can be had, until it changes, and whether a
-// delegate is drawing.
+// Remembers a refused delegate, one whose picture gives no surfaces, until it changes. Also
+// remembers whether a delegate is drawing.
 #ifndef vtkIndirectDelegateGuard_h
 #define vtkIndirectDelegateGuard_h
 
@@ -10,14 +10,14 @@
 class vtkIndirectDelegateGuard
 {
 public:
-  /** Why frames of a refused delegate are its picture alone. */
+  /** The reason why frames of a refused delegate are its picture alone. */
   static constexpr const char* Why = "the surfaces of what its delegate draws are not to be had";
 
   void Begin() { this->Drawing = true; }
   void End() { this->Drawing = false; }
   bool IsDrawing() const { return this->Drawing; }
 
-  /** Returns whether this is new. */
+  /** Refuses a delegate. Returns true if it was not refused before. */
   bool Refuse(vtkRenderPass* delegate)
   {
     const bool known = this->IsRefused(delegate);
@@ -25,7 +25,9 @@ public:
     this->Time = delegate ? delegate->GetMTime() : 0;
     return delegate && !known;
   }
-  /** A null delegate, the default one, is never refused. */
+  /**
+   * Returns true if the delegate is refused. A null delegate, the default one, is never refused.
+   */
   bool IsRefused(vtkRenderPass* delegate) const
   {
     return delegate && this->Refused == delegate && this->Time == delegate->GetMTime();

@@ -24,30 +24,30 @@ struct vtkIndirectPlan;
 struct vtkIndirectVisibilityNeeds
 {
   bool Senders = false;  // obstacles between receivers and senders hide the senders
-  bool Segments = false; // shaders ask for it, segment by segment
+  bool Segments = false; // shaders test visibility segment by segment
   bool Maps = false;     // depth maps of the senders in place of voxels
-  bool Volume = false;   // the voxels for something else, too
-  bool Surfaces = false; // for rays on the processor that find which surface they meet
+  bool Volume = false;   // another stage needs the voxels, too
+  bool Surfaces = false; // rays on the processor find the surfaces that they meet
   bool Exact = false;    // the surfaces themselves hide senders, on the processor
   int Resolution = 128;  // voxels along the longest edge of the scene, 16 to 128
 
   bool IsAny() const { return this->Senders || this->Volume || this->Exact; }
   bool HasVolume() const { return (this->Senders && !this->Maps) || this->Volume; }
   bool HasSurfaces() const { return this->Surfaces || this->Exact; }
-  /** True if shaders hold segments against lists of spheres, which voxels do not have. */
+  /** True if shaders test segments against lists of spheres, which voxels do not hold. */
   bool HasSphereLists() const { return this->Segments && !this->Maps; }
 };
 
-/** All of it is valid for this frame, and read only. */
+/** The input of an estimator. All of it is valid for this frame, and read only. */
 struct vtkIndirectEstimateInput
 {
   const vtkIndirectFrame& Frame;
   const vtkIndirectPlan& Plan;
   const vtkIndirectGeometryBuffer& Geometry;
   const vtkIndirectLightMaps& Maps;        // without maps where the plan has none
-  const vtkIndirectVirtualLights* Lights;  // null where the estimator asked for none
-  const vtkIndirectVisibility& Visibility; // as the estimator asked for it
-  bool Still = false;                      // nothing has changed since its last frame
+  const vtkIndirectVirtualLights* Lights;  // null if the estimator wants none
+  const vtkIndirectVisibility& Visibility; // as the estimator wants it
+  bool Still = false;                      // nothing has changed since the estimator's last frame
   vtkIndirectStageTimer& Timer;
   vtkEnvironmentLight* Environment = nullptr;     // null where the frame has none
   vtkIndirectSkyProjection* Projection = nullptr; // of the environment onto directions
@@ -60,39 +60,46 @@ struct vtkIndirectEstimate
   enum StateType
   {
     FAILED,   // after an error
-    REFINING, // a further frame brings it nearer to what it converges to, while nothing changes
+    REFINING, // a further frame of an unchanged scene brings the result nearer to convergence
     CONVERGED
   };
   StateType State = FAILED;
 
-  /** Irradiance over Unit, a value for every pixel, or where there is Coarse of mixed cells. */
+  /**
+   * Irradiance over Unit: a value for every pixel, or for pixels of mixed cells if there is Coarse.
+   */
   const vtkIndirectTarget* Irradiance = nullptr;
   /**
-   * Irradiance at every Step-th pixel from border to border, null where all pixels have a value of
-   * their own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth
-   * component is the kind of the cell of pixels whose first corner the sample is: VTKI_CELL_EMPTY,
-   * _WHOLE or _MIXED.
+   * Irradiance at every Step-th pixel from border to border, null if each pixel has a value of its
+   * own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth component is
+   * the kind of the cell of pixels whose first corner is the sample: VTKI_CELL_EMPTY, _WHOLE or
+   * _MIXED.
    */
   const vtkIndirectTarget* Coarse = nullptr;
   int Step = 1;
-  /** What lobes of a specular coefficient of one reflect, over Unit; null where there is none. */
+  /** Radiance that lobes of a specular coefficient of one reflect, over Unit; null for none. */
   const vtkIndirectTarget* Glossy = nullptr;
   ///@{
-  /** VTK irradiance that comes directly from the environment, and the irradiance that surfaces
-   * reflect of the environment's light, a channel of an image; null for none. */
+  /**
+   * VTK irradiance that comes directly from the environment, and the irradiance that surfaces
+   * reflect of the environment's light, in one channel of an image; null for none.
+   */
   const vtkIndirectTarget* Sky = nullptr;
   const vtkIndirectTarget* SkyBounce = nullptr;
   int SkyBounceChannel = 0;
   ///@}
   ///@{
-  /** VTK irradiance that comes directly from area lights, and the radiance that receivers reflect
-   * specularly of them; null for none. */
+  /**
+   * VTK irradiance that comes directly from area lights, and the radiance that receivers reflect
+   * specularly from them; null for none.
+   */
   const vtkIndirectTarget* Area = nullptr;
   const vtkIndirectTarget* AreaGlossy = nullptr;
   ///@}
-  /** VTK irradiance that a stored value of one stands for. */
+  /** VTK irradiance of a stored value of one. */
   double Unit = 1.0;
-  /** RMS error of the irradiance over its mean, as the estimator itself finds; negative: unknown.
+  /**
+   * RMS error of the irradiance over its mean, as estimated by the estimator; negative: unknown.
    */
   double Error = -1.0;
 };

@@ -7,7 +7,7 @@
 
 #include "Frame/vtkIndirectFrame.h"
 
-/** Rays of the eye and the way to scene units. */
+/** Sets the rays of the eye and the transform to scene units. */
 inline void vtkIndirectSetEyeUniforms(vtkShaderProgram* program, const vtkIndirectFrame& frame)
 {
   vtkIndirectSetUniform(program, "vtkiRayOrigin", glm::mat3(frame.RayOrigin));

@@ -35,10 +35,10 @@
 
 namespace
 {
-// Props of an entry of the report that are told apart; a scene may have thousands.
+// Number of props that an entry of the report lists by name; a scene may have thousands.
 constexpr size_t MostNamed = 3;
 
-// Bounds within which no float overflows when it is squared.
+// The largest bound: no float within it overflows when it is squared.
 const double LargestBound = std::sqrt(static_cast<double>(std::numeric_limits<float>::max()));
 
 bool IsWithin(const double* values, int count, double most)
@@ -47,9 +47,9 @@ bool IsWithin(const double* values, int count, double most)
     values, values + count, [most](double value) { return std::abs(value) <= most; });
 }
 
-// Bounds of an actor without few points that lie beyond these: they are values that a file has in
-// place of none (1e20, 9.97e36), not a scene of that size. VTK leaves infinite ones out by itself.
-// False where there are no such points, or not few.
+// Finds the bounds of an actor without the few points beyond LargestBound. Such points are a file's
+// mark for missing values (1e20, 9.97e36), not a scene of that size; VTK itself leaves infinite
+// points out. Returns false if there are no such points, or if they are half of all points or more.
 bool FindBoundsOfMost(vtkProp* prop, double bounds[6])
 {
   auto* actor = vtkActor::SafeDownCast(prop);
@@ -195,15 +195,15 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room, bool interactive)
     {
       continue;
     }
-    // Passes attach themselves to a prop through this; giving it one modifies the prop, so that
-    // must not come after its times are read.
+    // Passes attach themselves to a prop through its property keys. Setting the keys modifies the
+    // prop, so they are set before the prop's times are read.
     if (!prop->GetPropertyKeys())
     {
       vtkNew<vtkInformation> keys;
       prop->SetPropertyKeys(keys);
     }
     this->Props.push_back(prop);
-    // Neither draws anything opaque, though both say that they may.
+    // Volumes and flat props draw nothing opaque, though both report that they may.
     if (prop->IsA("vtkVolume"))
     {
       this->LeaveOut(prop, "volumes neither send nor receive indirect light");
@@ -244,7 +244,7 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room, bool interactive)
     box.GetBounds(this->SceneBounds);
     box.GetCenter(&this->SceneCenter[0]);
     const double diagonal = FindDiagonal(box);
-    // A scene of one point has no length of its own.
+    // A scene of one point has no length to scale by.
     this->SceneScale = diagonal > 0.0 ? 1.0 / diagonal : 1.0;
   }
 }
@@ -356,7 +356,8 @@ void vtkIndirectFrame::SetUpEye()
     ToGLM(camera->GetProjectionTransformMatrix(this->Renderer->GetTiledAspectRatio(), -1, 1));
   this->ViewToScene = this->ToScene(glm::inverse(this->WorldToView));
 
-  // Rays from the near to the far plane, at three points of the image: they are affine in between.
+  // Finds rays from the near to the far plane at three points of the image: rays are affine in
+  // between.
   const glm::dmat4 inverse = glm::inverse(this->Projection);
   auto unproject = [&](double x, double y, double z)
   {
@@ -383,7 +384,7 @@ void vtkIndirectFrame::SetUpEye()
   if (!this->Parallel && this->Projection[2][3] != 0.0)
   {
     // All rays of a perspective meet where both coordinates of the image and the divisor are zero:
-    // the origin, or in stereo beside it. Made of that, they are free of rounding.
+    // at the origin, or in stereo beside it. Rays made from this point have no rounding errors.
     const glm::dmat4 rows = glm::transpose(this->Projection);
     const glm::dmat3 meeting =
       glm::transpose(glm::dmat3{ glm::dvec3(rows[0]), glm::dvec3(rows[1]), glm::dvec3(rows[3]) });
@@ -422,7 +423,7 @@ void vtkIndirectFrame::AppendTo(vtkIndirectKey& key) const
   {
     light.AppendTo(key);
   }
-  // Casters are some of the props, in the same order, and have their revisions already.
+  // Casters are a part of the props, in the same order, and already have revisions.
   auto caster = this->Casters.begin();
   for (vtkProp* prop : this->Props)
   {

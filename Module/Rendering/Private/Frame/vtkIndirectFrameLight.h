@@ -22,36 +22,39 @@ public:
 
   /** The name of the light in the report. */
   virtual const char* GetName() const = 0;
-  /** Appends the inputs of the result, besides those that all light of the frame depends on. */
+  /** Appends the inputs of the result, except those that all light of the frame depends on. */
   virtual void AppendTo(vtkIndirectKey& key, const Input& input) const = 0;
 
   /** The number of depth maps that the frame may have to draw for this light. */
   virtual int CountMapsNeeded(const Input& input) const = 0;
   /**
-   * Brings virtual lights and depth maps up to date, and draws at most so many of these maps.
+   * Brings virtual lights and depth maps up to date, and draws at most `mostMaps` of these maps.
    * Returns false, after an error, when OpenGL refuses.
    */
   virtual bool Update(const Input& input, int mostMaps) = 0;
   /** The number of depth maps that have been drawn since construction. */
   virtual size_t GetNumberOfTilesDrawn() const = 0;
-  /** Whether all depth maps that the last Update asked for are there and up to date. */
+  /** Returns true if all depth maps of the last Update are present and up to date. */
   virtual bool IsComplete() const { return this->GetNumberOfTilesLeft() == 0; }
-  /** The number of depth maps that further frames draw, those that refine the result included. */
+  /**
+   * Returns the number of depth maps that further frames draw, including maps that refine the
+   * result.
+   */
   virtual int GetNumberOfTilesLeft() const = 0;
-  /** Whether a further frame of the same scene would have more virtual lights. */
+  /** Returns true if a further frame of the same scene would have more virtual lights. */
   virtual bool HasMore(const Input&) const { return false; }
 
   /**
-   * Computes the light, after Update. Input::Still says that neither the key nor a depth map has
+   * Computes the light, after Update. If Input::Still is true, neither the key nor a depth map has
    * changed since the last result.
    */
   virtual vtkIndirectEstimate Sum(const Input& input) = 0;
-  /** Whether the images of the last result still hold that result. */
+  /** Returns true if the images of the last result still hold that result. */
   virtual bool IsCurrent() const { return true; }
-  /** Lets go of what only frames with this light need. */
+  /** Releases the resources that only frames with this light need. */
   virtual void Rest(const Input&) {}
 
-  /** Reports a frame that has the light. */
+  /** Adds a frame with this light to the report. */
   virtual void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const = 0;
   virtual void Release(vtkWindow* window) = 0;
 };

@@ -23,7 +23,7 @@ vtkIndirectKey& vtkIndirectKey::AddBits(const char* name, vtkTypeUInt64 bits)
 //------------------------------------------------------------------------------
 vtkIndirectKey& vtkIndirectKey::AddNumber(const char* name, double value)
 {
-  value += 0.0; // makes zero of minus zero
+  value += 0.0; // turns minus zero into zero
   vtkTypeUInt64 bits = 0;
   std::memcpy(&bits, &value, sizeof(bits));
   return this->AddBits(name, bits);

@@ -39,22 +39,24 @@ public:
   ///@}
   void Append(const vtkIndirectKey& other);
 
-  /** An empty key belongs to no result. */
+  /** Empties the key. An empty key belongs to no result. */
   void Clear();
   bool IsEmpty() const { return this->Parts.empty(); }
 
-  /** Keys are equal where their numbers are, bit by bit; both zeros are one number. */
+  /** Keys are equal if their numbers are, bit by bit; plus and minus zero are equal. */
   bool operator==(const vtkIndirectKey& other) const { return this->Bits == other.Bits; }
   bool operator!=(const vtkIndirectKey& other) const { return !(*this == other); }
 
-  /** Names of the parts that differ from those of another key, each once, in this key's order. */
+  /**
+   * Returns the names of the parts that differ from another key's, each once, in this key's order.
+   */
   std::vector<std::string> FindChanges(const vtkIndirectKey& before) const;
 
 private:
   struct Part
   {
     const char* Name;
-    size_t End; // of its numbers in Bits
+    size_t End; // end of its numbers in Bits
   };
 
   vtkIndirectKey& AddNumber(const char* name, double value);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a light has that vtkLight has no method for, kept in the light's own information: it goes
-// when the light goes. Users set it by static methods of vtkIndirectIlluminationPass, where it is
-// documented.
+// Properties of a light for which vtkLight has no method. They are kept in the light's information
+// and vanish with the light. Users set them by static methods of vtkIndirectIlluminationPass, which
+// document them.
 #ifndef vtkIndirectLightKeys_h
 #define vtkIndirectLightKeys_h
 
@@ -12,11 +12,11 @@ namespace vtkIndirectLightKeys
 {
 vtkInformationDoubleKey* Radius(); // world units
 vtkInformationDoubleKey* Angle();  // degrees
-vtkInformationDoubleKey* Fill();   // share; 1: see vtkIndirectLight; of presets alone
+vtkInformationDoubleKey* Fill();   // share; 1: see vtkIndirectLight; set by presets alone
 
-/** What a key says of a light; 0 where nobody has set it. */
+/** Returns a key's value for a light; 0 if it is not set. */
 double Get(vtkLight* light, vtkInformationDoubleKey* key);
-/** Clamped to [0, most]; what is no number is 0. */
+/** Sets a key's value, clamped to [0, most]; a value that is not a number becomes 0. */
 void Set(vtkLight* light, vtkInformationDoubleKey* key, double value, double most);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Other lights in a renderer while this lives, without events and modification times: its own
-// collection is not touched.
+// Replaces the lights of a renderer during the object's lifetime, without events and modification
+// times. The renderer's own collection stays unchanged.
 #ifndef vtkIndirectLightScope_h
 #define vtkIndirectLightScope_h
 
@@ -11,7 +11,9 @@
 class vtkIndirectLightScope
 {
 public:
-  /** Without lights nothing changes. They must outlive this. Read is to be called before drawing.
+  /**
+   * Replaces the lights; null lights change nothing. The lights must outlive this object. Call
+   * Read before drawing.
    */
   vtkIndirectLightScope(vtkRenderer* renderer, vtkLightCollection* lights)
     : Renderer(lights ? renderer : nullptr)
@@ -33,10 +35,10 @@ public:
   vtkIndirectLightScope(const vtkIndirectLightScope&) = delete;
   void operator=(const vtkIndirectLightScope&) = delete;
 
-  /** Those that were there before; null where nothing has changed. */
+  /** Returns the lights that were replaced; null if nothing was replaced. */
   vtkLightCollection* GetReplaced() const { return this->Replaced; }
 
-  /** Lets the renderer count its lights, which mappers ask it for. Of none it may make one. */
+  /** Makes the renderer count its lights for mappers. A renderer without lights may create one. */
   static void Read(vtkRenderer* renderer)
   {
     auto* opengl = vtkOpenGLRenderer::SafeDownCast(renderer);

@@ -19,7 +19,7 @@
 
 namespace
 {
-// Along an edge of a triangle, at most, for the mean of a texture.
+// The largest number of samples along an edge of a triangle, for the mean of a texture.
 constexpr int MostSamples = 16;
 
 double ReadComponent(vtkDataArray* array, vtkIdType at, int component)
@@ -38,7 +38,7 @@ bool TransformsCoordinates(vtkActor* actor)
 #endif
 }
 
-// True if shader code of the user's may set the colour: vertex shaders set places alone.
+// True if the user's shader code may set the colour: vertex shaders only set places.
 bool HasShaderCode(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -57,7 +57,7 @@ vtkTexture* FindTexture(vtkProperty* property, const std::string& name)
   return at == all.end() ? nullptr : at->second;
 }
 
-// Textures that VTK's Phong does not look up as a colour.
+// True for textures that VTK's Phong shading does not use as a colour.
 bool IsOfPBR(const std::string& name)
 {
   static const char* const names[] = { "albedoTex", "normalTex", "materialTex", "brdfTex",
@@ -71,7 +71,8 @@ vtkIndirectMaterial::vtkIndirectMaterial(
   vtkActor* actor, vtkMapper* mapper, vtkDataSet* data, const Block& block)
 {
   vtkProperty* property = actor->GetProperty();
-  // Mappers of instances and impostors have a colour of bytes for each, scalars or not.
+  // Mappers of instances and impostors have a colour of bytes for each instance, with scalars or
+  // not.
   const bool ofGlyphs = mapper->IsA("vtkGlyph3DMapper");
   const bool ofInstances =
     ofGlyphs || mapper->IsA("vtkOpenGLSphereMapper") || mapper->IsA("vtkOpenGLStickMapper");
@@ -81,7 +82,7 @@ vtkIndirectMaterial::vtkIndirectMaterial(
     const double* color = property->GetColor();
     for (int c = 0; c < 3; ++c)
     {
-      // VTK cuts colours of impostors off to bytes and rounds colours of glyphs.
+      // VTK truncates colours of impostors to bytes and rounds colours of glyphs.
       const double byte = std::floor(255.0 * color[c] + (ofGlyphs ? 0.5 : 0.0));
       this->Plain[c] = this->Decode(this->Diffuse * byte / 255.0);
     }
@@ -168,8 +169,8 @@ void vtkIndirectMaterial::ReadColors(vtkMapper* mapper, vtkDataSet* data, bool s
 }
 
 //------------------------------------------------------------------------------
-// As VTK does where lines of constant colour run through triangles: colours of interpolated
-// scalars.
+// Reads scalars that VTK interpolates before it maps them to colours: then lines of constant colour
+// run through triangles.
 void vtkIndirectMaterial::ReadScalars(vtkMapper* mapper, vtkDataSet* data)
 {
   if (!this->Colors || this->ColorsAreOfCells || !mapper->GetInterpolateScalarsBeforeMapping() ||
@@ -388,8 +389,8 @@ glm::dvec3 vtkIndirectMaterial::Find(const Place& place) const
 //------------------------------------------------------------------------------
 glm::dvec3 vtkIndirectMaterial::FindMean(vtkIdType cell, const vtkIdType points[3]) const
 {
-  // Centres of the small triangles that both edges are divided into, those upside down included:
-  // an edge a pixel.
+  // Samples are the centres of the small triangles that the edges are divided into, including those
+  // upside down: an edge a pixel.
   int edge = 1;
   if (this->HasPattern())
   {

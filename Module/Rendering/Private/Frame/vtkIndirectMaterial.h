@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours of what one mapper of an actor draws of one data set, as VTK shades it, for whoever
-// reads the scene on the processor: rays, voxels, and spheres.
+// The colours that VTK shades the surfaces of one mapper, actor and data set with, for stages that
+// read the scene on the processor: rays, voxels, and spheres.
 //
-// An albedo is what diffusion reflects, of light that VTK does not divide by pi: of PBR times
-// 1 - metallic. It follows the property and that of the back, scalars' colours (also where VTK
-// interpolates scalars before it maps them), blocks of composite mappers, textures, and of PBR the
-// textures of base colour and of metal. An unlit surface has none.
+// An albedo is the diffusely reflected share of light that VTK does not divide by pi; for PBR it
+// includes the factor 1 - metallic. It depends on the property and the back's property, the
+// scalars' colours (also where VTK interpolates scalars before it maps them), blocks of composite
+// mappers, textures, and for PBR the textures of base colour and of metal. An unlit surface has no
+// albedo.
 #ifndef vtkIndirectMaterial_h
 #define vtkIndirectMaterial_h
 
@@ -18,7 +19,7 @@
 #include "vtkUnsignedCharArray.h" // for a member
 
 #include <glm/glm.hpp> // for colours
-#include <optional>    // for what has a say or none
+#include <optional>    // for optional flags
 #include <string>      // for reasons
 #include <vector>      // for members
 
@@ -30,7 +31,7 @@ class vtkProperty;
 class vtkIndirectMaterial
 {
 public:
-  /** A place on a triangle of the data: corners by their points, and these corners' weights. */
+  /** A place on a triangle of the data, by the corners' points and weights. */
   struct Place
   {
     vtkIdType Cell;
@@ -38,15 +39,15 @@ public:
     double Weights[3];
     bool Front;
   };
-  /** What a block of a composite mapper has of its own. */
+  /** The attributes that a block of a composite mapper has of its own. */
   struct Block
   {
     bool Shown = true;
     bool Opaque = true;
-    bool HasColor = false; // before VTK 9.4 in place of scalars, too
+    bool HasColor = false; // before VTK 9.4 the colour replaces scalars, too
     glm::dvec3 Color{ 0.0 };
-    std::optional<bool> ShowsScalars; // in place of the mapper's
-    bool HasOwnScalars = false;       // or a texture: that is not taken
+    std::optional<bool> ShowsScalars; // replaces the mapper's flag
+    bool HasOwnScalars = false;       // or a texture; neither is read
   };
 
   vtkIndirectMaterial() = default; // black
@@ -55,24 +56,27 @@ public:
   {
   }
   vtkIndirectMaterial(vtkActor* actor, vtkMapper* mapper, vtkDataSet* data, const Block& block);
-  /** The albedo of an actor's property alone, without scalars, textures and the back's property. */
+  /**
+   * Returns the albedo of an actor's property alone, without scalars, textures and the back's
+   * property.
+   */
   static glm::dvec3 FindPlain(vtkActor* actor);
 
   bool IsPhysicallyBased() const { return this->PhysicallyBased; }
   bool IsLit() const { return this->Lit; }
-  /** Whether there is one colour a cell, and not one a point. */
+  /** Returns true if there is one colour for each cell, not for each point. */
   bool IsByCell() const { return this->Colors && this->ColorsAreOfCells; }
-  /** Whether its textures change over a triangle. */
+  /** Returns true if the textures change over a triangle. */
   bool HasPattern() const;
 
   glm::dvec3 Find(const Place& place) const;
-  /** Over the front of a triangle; of a texture a mean of samples. */
+  /** Returns the mean over the front of a triangle; a texture's mean is that of samples. */
   glm::dvec3 FindMean(vtkIdType cell, const vtkIdType points[3]) const;
-  /** Of a point, or of a cell where IsByCell; without textures. */
+  /** Returns the albedo of a point, or of a cell if IsByCell; without textures. */
   glm::dvec3 Get(vtkIdType number) const;
-  /** Over all points or cells, times the means of textures. */
+  /** Returns the mean over all points or cells, times the means of textures. */
   glm::dvec3 GetMean() const;
-  /** Why these are not the colours that VTK draws; empty where they are. */
+  /** Returns the reason why these are not the colours that VTK draws; empty if they are. */
   const std::string& GetLeftOut() const { return this->LeftOut; }
   size_t GetBytes() const;
 
@@ -89,9 +93,9 @@ private:
 
   bool Lit = false;
   bool PhysicallyBased = false;
-  bool Encoded = false; // colours are, times the coefficient, with gamma 2.2
+  bool Encoded = false; // true if colours, times the coefficient, are encoded with gamma 2.2
   double Metallic = 0.0;
-  double Diffuse = 1.0;    // in Plain and Back already
+  double Diffuse = 1.0;    // already in Plain and Back
   glm::dvec3 Plain{ 0.0 }; // without scalars
   bool HasBack = false;
   glm::dvec3 Back{ 0.0 };
@@ -101,8 +105,8 @@ private:
   vtkSmartPointer<vtkScalarsToColors> Table;
   std::vector<double> Scalars;
   vtkSmartPointer<vtkDataArray> Coordinates;
-  std::vector<vtkIndirectMaterialImage> Images; // which multiply each other
-  vtkIndirectMaterialImage Metal;               // its blue
+  std::vector<vtkIndirectMaterialImage> Images; // images that multiply each other
+  vtkIndirectMaterialImage Metal;               // its blue channel
   bool ImagesOnBack = true;
   std::string LeftOut;
 };

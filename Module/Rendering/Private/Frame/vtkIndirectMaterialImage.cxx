@@ -12,7 +12,7 @@
 
 namespace
 {
-// Where a texture coordinate falls among so many pixels.
+// Returns the pixel of a texture coordinate, given in pixels.
 vtkIdType FindPixel(vtkIdType i, vtkIdType count, int wrap)
 {
   if (wrap == vtkTexture::Repeat)
@@ -27,7 +27,7 @@ vtkIdType FindPixel(vtkIdType i, vtkIdType count, int wrap)
   return std::min(std::max<vtkIdType>(i, 0), count - 1);
 }
 
-// The sRGB transfer function, which OpenGL applies to such textures.
+// Decodes sRGB by its transfer function, as OpenGL does for such textures.
 double Decode(double value)
 {
   return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
@@ -46,7 +46,7 @@ bool vtkIndirectMaterialImage::Read(vtkTexture* texture)
   }
   int size[3];
   image->GetDimensions(size);
-  // A texture lies in a plane of any two axes.
+  // A texture's image lies in a plane of any two axes.
   vtkIdType counts[2] = { 1, 1 };
   for (int axis = 0, next = 0; axis < 3 && next < 2; ++axis)
   {
@@ -67,7 +67,7 @@ bool vtkIndirectMaterialImage::Read(vtkTexture* texture)
   std::copy(counts, counts + 2, this->Counts);
   this->Wrap = texture->GetWrap();
   this->Smooth = texture->GetInterpolate() != 0;
-  // OpenGL has no such format of one or two components.
+  // OpenGL has no sRGB format of one or two components.
   this->Encoded = texture->GetUseSRGBColorSpace() && components >= 3;
   this->Pixels.resize(3 * count);
   glm::dvec3 sum(0.0);

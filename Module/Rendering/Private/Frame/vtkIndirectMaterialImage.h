@@ -13,14 +13,14 @@ class vtkTexture;
 class vtkIndirectMaterialImage
 {
 public:
-  /** Returns false, empty, where there is no image in a plane. */
+  /** Reads a texture. Returns false, and is empty, if the texture has no image in a plane. */
   bool Read(vtkTexture* texture);
   bool IsEmpty() const { return this->Pixels.empty(); }
-  /** Whether not all of its pixels are alike. */
+  /** Returns true if its pixels differ. */
   bool Varies() const { return this->Different; }
-  /** At texture coordinates; white where these are not finite. */
+  /** Returns the colour at texture coordinates; white if these are not finite. */
   glm::dvec3 Find(const glm::dvec2& at) const;
-  /** Of all pixels. */
+  /** Returns the mean of all pixels. */
   const glm::dvec3& GetMean() const { return this->Mean; }
   const vtkIdType* GetCounts() const { return this->Counts; }
   size_t GetBytes() const { return this->Pixels.size(); }

@@ -9,11 +9,11 @@
 
 namespace
 {
-// A random walk stops after so many bounces where NumberOfBounces is automatic: in a closed room of
-// albedo 0.97 later bounces would add a fiftieth of all light.
+// The last bounce of a random walk if NumberOfBounces is automatic: in a closed room of albedo 0.97
+// later bounces would add a fiftieth of all light.
 constexpr int MostBounces = 128;
-// RMS error over the mean of what spheres leave of the sky, from 0.041 to 0.056 on scenes of
-// spheres (Documentation/methods/sphere-proxies.md).
+// RMS error over the mean of the sky's light under spheres: 0.041 to 0.056 on scenes of spheres
+// (Documentation/methods/sphere-proxies.md).
 constexpr double ErrorOfSpheres = 0.05;
 }
 
@@ -63,7 +63,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.FindSenders(frame, settings, circumstances);
   if (estimator.SumsSky && !settings.Shadows && plan.Senders != NO_SENDERS)
   {
-    plan.Senders = NO_SENDERS; // nobody would read their maps
+    plan.Senders = NO_SENDERS; // no stage would read their maps
     plan.MapLights.clear();
   }
   plan.FindVisibility(settings, estimator);
@@ -96,9 +96,9 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.SendersAreSpecular = frame.SendersAreSpecular;
   plan.SenderLobes = settings.IndirectScale > 0.0 && plan.Senders == MAPS && estimator.SumsLobes &&
     estimator.SpecularTransport && frame.SendersAreSpecular;
-  // With specular reflectance beside it the albedo has an image of its own in any case.
+  // If there is specular reflectance, the albedo has an image of its own in any case.
   plan.AlbedoInAlpha = frame.CoversFully && !circumstances.OwnDelegate && !plan.SurfacesAreSpecular;
-  // Twice is too much, and what the user has chosen wins.
+  // Antialiasing twice blurs too much, and the user's choice has priority.
   const std::string& other = circumstances.OtherAntialiasing;
   plan.Antialiasing = settings.Antialiasing && other.empty();
   (plan.Antialiasing ? plan.Modelled : plan.LeftOut)
@@ -116,10 +116,10 @@ void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
 {
   if (frame.Casters.empty())
   {
-    return; // what a sky shines on, and nothing that would send its light on
+    return; // no caster could reflect the light
   }
-  // The eye sees all that its headlight lights and that sends, unless a prop is not to send. Of a
-  // headlight that has a size it sees penumbrae, for which there must be maps.
+  // The eye sees all lit senders under its headlight, unless a prop must not send light. A
+  // headlight that has a size casts visible penumbrae, which need maps.
   if (frame.Lights.size() == 1 && frame.Lights.front().Headlight &&
     !frame.Lights.front().Positional && !frame.Lights.front().Fill && frame.AllSendLight &&
     !(frame.Lights.front().Size > 0.0 && settings.Shadows))
@@ -168,8 +168,8 @@ void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-// What an estimator that sums virtual lights cannot compute itself a walk does, whose lights are
-// more of the same kind.
+// Plans further bounces. A random walk adds the bounces that an estimator of virtual lights cannot
+// compute itself, as more virtual lights.
 void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
   const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
   const vtkIndirectCircumstances& circumstances)
@@ -179,8 +179,8 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
   this->SampledBounces = settings.NumberOfBounces;
   if (settings.NumberOfBounces == 0)
   {
-    // Paths end by themselves, by the albedo, so the last bounces cost nothing where there is no
-    // light of them. A walk for every view would be most of a frame.
+    // Paths end by themselves, by the albedo, so late bounces cost nothing if no light reaches
+    // them. A walk for every view would take most of a frame.
     const bool follows = std::any_of(frame.Lights.begin(), frame.Lights.end(),
       [](const vtkIndirectLight& light) { return light.FollowsCamera && !light.Fill; });
     this->SampledBounces =
@@ -252,7 +252,7 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
   this->FindSkySource(settings, estimator, circumstances);
   const bool bounces = !estimator.SumsSky &&
     (!estimator.ReadsMaps || this->Senders == NO_SENDERS) && !frame.Casters.empty();
-  // What is reflected may not come and go with who sums the sky.
+  // Reflected light must not appear or vanish with the choice of the sky's method.
   this->SpheresBounceSky = bounces && this->SkySource == SKY_BY_SPHERES;
   this->SkyBounces = bounces && !this->SpheresBounceSky;
   if (this->SpheresBounceSky && settings.NumberOfBounces != 1)
@@ -269,7 +269,7 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
   this->NumberOfSkyDirections = this->NumberOfStillSkyDirections;
   if (this->Interactive)
   {
-    // A quarter of them, and sixteen or thirty-two at a pixel.
+    // A moving frame sums a quarter of the directions, and a pixel sixteen or thirty-two of them.
     this->NumberOfSkyDirections = std::max(this->NumberOfStillSkyDirections / 4, 16);
     this->SkyBlock = this->NumberOfSkyDirections >= 256 ? 4
       : this->NumberOfSkyDirections >= 64               ? 2
@@ -283,8 +283,9 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
 }
 
 //------------------------------------------------------------------------------
-// Maps have to be drawn anew wherever something has moved; spheres cost the same then, half of
-// that or less up to 10,000 of them. Where nothing moves maps are kept, and more exact.
+// Chooses how the sky is summed. Maps have to be drawn again when something has moved. Spheres cost
+// the same in each frame: half of that or less for up to 10,000 spheres. In a still scene maps are
+// kept, and they are more exact.
 void vtkIndirectPlan::FindSkySource(const vtkIndirectSettings& settings,
   const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
 {
@@ -362,9 +363,9 @@ void vtkIndirectPlan::FindOtherLights(const vtkIndirectFrame& frame,
 void vtkIndirectPlan::FindUnit(
   const vtkIndirectFrame& frame, const vtkIndirectCircumstances& circumstances)
 {
-  // What the strongest light gives a surface that faces it in the middle of the scene, so that 1e-7
-  // to 65504 times that can be stored. Of a sky's light some surface may
-  // have a quarter or more.
+  // The unit is the irradiance from the strongest light on a surface that faces it in the middle of
+  // the scene, so that 1e-7 to 65504 times that can be stored. Some surface may receive a quarter
+  // or more of a sky's light.
   double unit = std::max(this->SkyBounces ? circumstances.EnvironmentIrradiance : 0.0,
     this->AreaLightsBounce ? circumstances.AreaLightIrradiance : 0.0);
   for (const vtkIndirectLight& light : frame.Lights)
@@ -381,7 +382,7 @@ void vtkIndirectPlan::FindUnit(
     }
     unit = std::max(unit, color * attenuation);
   }
-  // A power of two: storing loses nothing but the bits that half floats lack.
+  // A power of two loses no bits, except those that half floats lack.
   this->IrradianceUnit =
     unit > 0.0 && std::isfinite(unit) ? std::exp2(std::ceil(std::log2(unit))) : 1.0;
 }
@@ -462,7 +463,7 @@ vtkIndirectKey vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
   key.Add("senders", this->Senders).Add("senders", this->SenderLobes);
   key.Add("senders", this->Refraction);
   key.Add("visibility", this->Visibility);
-  // Moving frames look fewer maps up.
+  // Moving frames look up fewer maps.
   key.Add("visibility", this->Interactive && this->Visibility == vtkIndirectVisibilityMaps);
   key.Add("bounces", this->NumberOfBounces).Add("bounces", this->SampledBounces);
   key.Add("bounces", this->WalkedBounces).Add("bounces", this->SkyBounces);
@@ -487,11 +488,11 @@ int vtkIndirectPlan::FindGridEdge(double tolerance)
 }
 
 //------------------------------------------------------------------------------
-// How much work a frame may do for maps is a number, and nothing is measured. It is counted in
-// thirds of a triangle: what a map, a prop and a triangle took on two cores in software (72,000 to
-// 448,000 triangles) was 0.3 ms, 3 us and 45 ns. A still picture's work then took a second and a
-// half, a moving one's half of what the rate leaves a frame; a GPU is faster. However much work a
-// map is, a still picture draws 64 to begin with: others share them.
+// The work that a frame may do for maps is a fixed number; nothing is measured. The unit is a third
+// of a triangle. On two cores in software (72,000 to 448,000 triangles) a map took 0.3 ms, a prop 3
+// us and a triangle 45 ns. With these times the work of a still picture takes a second and a half,
+// and that of a moving one half of the frame time at its rate; a GPU is faster. However much work a
+// map is, a still picture first draws 64 maps: other lights share them.
 int vtkIndirectPlan::FindTilesPerFrame(double triangles, double props, double updateRate)
 {
   constexpr double perTile = 20e3;

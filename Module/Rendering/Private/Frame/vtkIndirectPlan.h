@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a frame draws, and why: decided once, before anything is drawn, from the facts of the scene,
-// what the user has set and what the estimator can do. No OpenGL and no VTK objects in it. Stages
-// read it and decide nothing of the kind themselves.
+// The plan of a frame: which light it draws and by which methods, and the reasons. It is made once,
+// before anything is drawn, from the facts of the scene, the user's settings and the estimator's
+// abilities. It holds no OpenGL and no VTK objects. Stages read it and make no such decisions
+// themselves.
 #ifndef vtkIndirectPlan_h
 #define vtkIndirectPlan_h
 
 #include "Frame/vtkIndirectKey.h" // for keys
-#include "vtkIndirectSettings.h"  // for what the user has set
+#include "vtkIndirectSettings.h"  // for the user's settings
 
 #include <string>  // for reasons
 #include <utility> // for pairs
@@ -14,154 +15,180 @@
 
 struct vtkIndirectFrame;
 
-/** What the frame's estimator can do and has been set to. */
+/** The abilities and settings of the frame's estimator. */
 struct vtkIndirectAbilities
 {
   std::string Name = "an estimator"; // for reasons
   int MaximumNumberOfBounces = 1;
   bool ComputesGlossy = false;
-  bool SumsLobes = false;    // of senders
-  bool TakesSampler = false; // sums lights of the frame's sampler, not of its own
+  bool SumsLobes = false;    // lobes of senders
+  bool TakesSampler = false; // sums lights of the frame's sampler, not of its own sampler
   bool SpecularTransport = true;
-  bool Occupancy = false;         // asks for voxels where the user has chosen nothing
+  bool Occupancy = false;         // wants voxels unless the user chooses otherwise
   bool TakesLightMaps = false;    // can look visibility up in a map of each virtual light
-  bool IgnoresVisibility = false; // where the user has chosen nothing
-  /** Sums the texels of lights' maps, where there are such, and no virtual lights beside them. */
+  bool IgnoresVisibility = false; // unless the user chooses otherwise
+  /** Sums the texels of lights' maps, if there are maps, and no virtual lights beside them. */
   bool ReadsMaps = false;
-  /** Sums the sky, and what surfaces send of its light, itself, and no lights. */
+  /** Sums the sky, and the light that surfaces reflect of it, itself, and no lights. */
   bool SumsSky = false;
-  /** The tolerance that its parameters follow when so much is asked for; 0: none does. */
+  /**
+   * The tolerance that its parameters follow for the wanted tolerance; 0: no parameter follows one.
+   */
   double ErrorTolerance = 0.0;
 };
 
-/** What else of the renderer and the pass counts. */
+/** Further facts about the renderer and the pass. */
 struct vtkIndirectCircumstances
 {
-  bool OwnDelegate = false;      // what the user's own delegate draws is not known
-  std::string DelegateIsRefused; // why no surfaces can be had of it; empty: they can
-  int NumberOfOtherEmitters = 0; // sources of light that are no vtkLight
-  /** The estimator sums lights of a sampler that finds them by rays, of all bounces. */
+  bool OwnDelegate = false;      // the surfaces of the user's own delegate are unknown
+  std::string DelegateIsRefused; // the reason why the delegate gives no surfaces; empty: it gives
+                                 // them
+  int NumberOfOtherEmitters = 0; // sources of light other than vtkLight
+  /** The estimator sums lights of a sampler that finds lights of all bounces by rays. */
   bool SamplerWalks = false;
-  bool OtherSamplerWalks = false; // one that is added to that
-  bool AreaLights = false;        // of rectangles
-  /** VTK irradiance of a surface in the middle of the scene that faces all of them. */
+  bool OtherSamplerWalks = false; // an additional sampler finds lights by rays
+  bool AreaLights = false;        // there are rectangular lights
+  /** VTK irradiance of a surface in the middle of the scene that faces all area lights. */
   double AreaLightIrradiance = 0.0;
-  int VisibleAreaLights = 0; // that are seen themselves
+  int VisibleAreaLights = 0; // number of area lights that are visible themselves
   bool Environment = false;  // light comes from all around
-  /** VTK irradiance of a surface that all of its light would fall on at a right angle. */
+  /** VTK irradiance of a surface that receives all of the environment's light at a right angle. */
   double EnvironmentIrradiance = 0.0;
   ///@{
   /**
-   * Spheres that have moved in frames one after the other are among the casters: why, in words,
-   * else empty; and why spheres cannot stand for all that hides the sky, empty where they can.
+   * SpheresMove: the casters with spheres that have moved in successive frames, in words; empty if
+   * there are none. SpheresFail: why spheres cannot represent everything that hides the sky; empty
+   * if they can.
    */
   std::string SpheresMove;
   std::string SpheresFail;
   ///@}
-  bool ImageBasedLighting = false; // VTK adds that of the renderer's texture, which nothing hides
-  std::string OtherAntialiasing;   // what antialiases the picture after the pass; empty: nothing
-  /** Frames a second that the window asks for: vtkRenderWindow's DesiredUpdateRate, by default that
-   * of a still picture. Whoever uses the window sets it. How long frames take is never asked: a
-   * busy machine draws what an idle one draws. */
+  bool ImageBasedLighting = false; // VTK adds the unoccluded light of the renderer's texture
+  std::string OtherAntialiasing;   // name of the stage that antialiases the picture after the pass;
+                                   // empty: none
+  /**
+   * Frames a second that the window asks for: vtkRenderWindow's DesiredUpdateRate, by default that
+   * of a still picture; the application sets it. The duration of frames does not count: a busy
+   * machine draws the same picture as an idle one.
+   */
   double UpdateRate = 0.0001;
 };
 
 struct vtkIndirectPlan
 {
-  using Entries = std::vector<std::pair<std::string, std::string>>; // what, why
+  using Entries = std::vector<std::pair<std::string, std::string>>; // subject, reason
 
   enum SenderType
   {
     NO_SENDERS, // no vtkLight sends anything
     MAPS,       // surfaces that lights see, in their maps
     EYE,        // surfaces that the eye sees, whose headlight is the only light
-    RAYS        // surfaces that rays of the sampler's meet; there are no maps
+    RAYS        // surfaces that the sampler's rays meet; there are no maps
   };
 
-  /** Empty: indirect light is computed or could be; else why the delegate alone draws. */
+  /**
+   * Empty: indirect light is computed or could be; otherwise the reason why the delegate alone
+   * draws.
+   */
   std::string WhyDelegate;
   int Senders = NO_SENDERS;
   /** Lights with a map: places in vtkIndirectFrame::Lights. */
   std::vector<int> MapLights;
-  bool Shadows = false;             // mappers look shadows up in these maps
+  bool Shadows = false;             // mappers look up shadows in these maps
   bool Specular = false;            // estimators reflect specularly
-  bool SurfacesAreSpecular = false; // the geometry buffer has what is needed for that
-  bool SendersAreSpecular = false;  // some of them
-  bool Refraction = false;          // bodies of glass send what comes through them
-  bool SenderLobes = false;         // maps have what senders reflect specularly
-  bool AlbedoInAlpha = false;       // alpha says nothing, and the albedo has its place
+  bool SurfacesAreSpecular = false; // the geometry buffer holds the data for that
+  bool SendersAreSpecular = false;  // some senders are specular
+  bool Refraction = false;          // bodies of glass send the light that passes through them
+  bool SenderLobes = false;         // maps hold the specular reflections of senders
+  bool AlbedoInAlpha = false;       // alpha has no meaning, and holds the albedo
   bool Antialiasing = false;        // edges of the composed picture are antialiased
   enum SkySourceType
   {
-    SKY_BY_MAPS,    // depth maps, and virtual lights of its bounce
-    SKY_BY_SPHERES, // spheres that stand for what is drawn, and its bounce too, beside an estimator
-    SKY_BY_ESTIMATOR // that sums it itself, and nothing beside it
+    SKY_BY_MAPS,     // depth maps, and virtual lights of its bounce
+    SKY_BY_SPHERES,  // spheres that represent the props, with bounces, beside an estimator
+    SKY_BY_ESTIMATOR // the estimator sums the sky itself, and nothing is added
   };
 
-  /** Whether there is irradiance to estimate of anything but what sums the sky itself; else, where
-   * there is none of that either, WhyNoIrradiance. */
+  /**
+   * True if there is irradiance to estimate other than that of an estimator that sums the sky
+   * itself. If there is no irradiance of any kind, WhyNoIrradiance has the reason.
+   */
   bool Irradiance = false;
   std::string WhyNoIrradiance;
   int Visibility = vtkIndirectVisibilityNone; // of senders from receivers; never automatic
   ///@{
   /**
-   * Light that comes directly from the environment; in how many directions this frame and a still
-   * one, of which a pixel sums those of one of SkyBlock squared subsets; maps of what size.
+   * Light that comes directly from the environment. This frame and a still one have their numbers
+   * of directions; a pixel sums one of SkyBlock squared subsets of them. The maps of directions
+   * have their own size.
    */
   bool Sky = false;
   bool SkyIsShadowed = true;
   int SkySource = SKY_BY_MAPS;
-  bool ReplacesImageLight = false; // the diffuse light that VTK adds of the renderer's texture
+  bool ReplacesImageLight = false; // the sky replaces the diffuse light that VTK adds from the
+                                   // renderer's texture
   int NumberOfSkyDirections = 256;
   int NumberOfStillSkyDirections = 256;
   int SkyBlock = 1;
   int SkyTileTexels = 128;
   ///@}
-  /** Surfaces send what the environment gives them: virtual lights of it, or spheres. */
+  /** Surfaces reflect the environment's light: by virtual lights, or by spheres. */
   bool SkyBounces = false;
   bool SpheresBounceSky = false;
-  bool OtherSamplers = false;    // virtual lights that passes bring of their own
+  bool OtherSamplers = false;    // passes add virtual lights of their own samplers
   bool AreaLights = false;       // light comes directly from rectangles
-  bool AreaIsShadowed = true;    // and may be hidden
-  bool AreaLightsBounce = false; // surfaces send what these give them
-  bool AreaSpecular = false;     // receivers reflect them specularly, too
-  int VisibleAreaLights = 0;     // that are drawn
+  bool AreaIsShadowed = true;    // light from rectangles may be hidden
+  bool AreaLightsBounce = false; // surfaces reflect the light of rectangles
+  bool AreaSpecular = false;     // receivers reflect rectangles specularly, too
+  int VisibleAreaLights = 0;     // number of area lights that are drawn
   ///@{
-  /** Whether another frame is awaited, as while a camera turns: who asks for a picture a second or
-   * more is not waiting for this one alone. */
+  /**
+   * Returns true if a further frame is awaited, as while a camera turns: at a rate of a picture a
+   * second or more, no picture is awaited alone.
+   */
   static bool IsInteractive(double updateRate) { return updateRate >= 1.0; }
   bool Interactive = false;
   ///@}
   bool WaitsForMaps = false;   // sums begin when no depth map is missing
-  int TilesPerFrame = 1 << 30; // depth maps of virtual lights and of the sky to draw at most
-  int NumberOfBounces = 1;     // those that the estimator computes
-  int SampledBounces = 1;      // that samplers which know several make lights of
-  /** Virtual lights of bounces after the estimator's, up to this one, come from a random walk; 0:
-   * of none. */
+  int TilesPerFrame = 1 << 30; // largest number of depth maps of virtual lights and of the sky to
+                               // draw
+  int NumberOfBounces = 1;     // bounces that the estimator computes
+  int SampledBounces = 1;      // bounces that samplers of several bounces make lights of
+  /**
+   * The last bounce of virtual lights from a random walk, which begin after the estimator's
+   * bounces; 0: there is no walk.
+   */
   int WalkedBounces = 0;
   ///@{
-  /** The relative error that the light of the frame aims at, the user's or the standard one, and
-   * whether the user has set it. */
+  /**
+   * The relative error that the light of the frame aims at, the user's or the standard one, and
+   * whether the user has set it.
+   */
   static constexpr double StandardErrorTolerance = 0.02;
   double ErrorTolerance = StandardErrorTolerance;
   bool ErrorToleranceIsSet = false;
   ///@}
-  /** The relative error by which the estimator's parameters are chosen; 0: none of them is. */
+  /**
+   * The relative error by which the estimator's parameters are chosen; 0: no parameter depends on
+   * it.
+   */
   double EstimatorErrorTolerance = 0.0;
   bool Caching = true;
   double IndirectScale = 1.0;
-  /** VTK irradiance of the order of the brightest of the frame: a power of two, for half floats. */
+  /** VTK irradiance, about the brightest of the frame: a power of two, for half floats. */
   double IrradianceUnit = 1.0;
 
   ///@{
-  /** For the report: of the scene, and what holds only where the estimate succeeds. */
+  /**
+   * Entries of the report: those of the scene, and those that hold only if the estimate succeeds.
+   */
   Entries Modelled;
   Entries LeftOut;
   Entries EstimateModelled;
   Entries EstimateLeftOut;
   ///@}
 
-  /** Depth maps are looked up for the sky. */
+  /** Returns true if depth maps are looked up for the sky. */
   bool HasSkyMaps() const
   {
     return this->Sky && this->SkySource == SKY_BY_MAPS && this->SkyIsShadowed;
@@ -171,28 +198,31 @@ struct vtkIndirectPlan
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
 
   /**
-   * The inputs of the irradiance, besides its stages' own times: the eye, lights, props and the
-   * plan's decisions.
+   * Returns the key of the irradiance's inputs, except its stages' own times: the eye, lights,
+   * props and the plan's decisions.
    */
   vtkIndirectKey MakeKey(const vtkIndirectFrame& frame) const;
 
   ///@{
   /**
-   * What an error tolerance means for parameters whose defaults were found for one of 0.02: the
-   * error goes with a threshold; that of a grid of hints with the square of its cells, 12 hints
-   * along the longest edge for 0.0833.
+   * Convert an error tolerance for parameters whose defaults are right for a tolerance of 0.02. A
+   * threshold is proportional to the error; the error of a grid of hints is proportional to the
+   * square of its cells, with 12 hints along the longest edge for 0.0833.
    */
   static double ScaleThreshold(double standard, double tolerance, double most);
   static int FindGridEdge(double tolerance);
   ///@}
 
-  /** Depth maps of so many triangles in so many props that a frame draws of which the window asks
-   * for so many a second. */
+  /**
+   * Returns the number of depth maps, of scenes of this many triangles in this many props, that a
+   * frame draws at this update rate.
+   */
   static int FindTilesPerFrame(double triangles, double props, double updateRate);
   /**
-   * Directions of the sky for an error tolerance, 16, 64, 256 (also for 0, where none is asked for)
-   * or 1024. RMS error over the mean of 256 that are each seen or not, of exact visibility: 0.035,
-   * the mean of three scenes; it goes with their number to the power -3/4, as from 64 to 256 there.
+   * Returns the number of directions of the sky for an error tolerance: 16, 32, 64, 128, 256 (also
+   * for 0, where no tolerance is set), 512 or 1024. The RMS error over the mean, of 256 directions
+   * with exact visibility, each seen or not, is 0.035 as the mean of three scenes. It is
+   * proportional to the power -3/4 of the number, as from 64 to 256 in these scenes.
    */
   static int FindSkyDirections(double tolerance);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keys of vtkProp::SetPropertyKeys that say what a prop takes part in; users reach them as static
-// methods of vtkIndirectIlluminationPass, where they are documented.
+// Keys of vtkProp::SetPropertyKeys that set what a prop takes part in. Users reach them by static
+// methods of vtkIndirectIlluminationPass, which document them.
 #ifndef vtkIndirectPropKeys_h
 #define vtkIndirectPropKeys_h
 
@@ -13,7 +13,7 @@ namespace vtkIndirectPropKeys
 vtkInformationIntegerKey* CastsShadows();
 vtkInformationIntegerKey* SendsLight();
 vtkInformationStringKey* Name();
-/** What a key of a prop says; `otherwise` where it is not set. */
+/** Returns the value of a prop's key; `otherwise` if it is not set. */
 bool IsSet(vtkProp* prop, vtkInformationIntegerKey* key, bool otherwise = true);
 }
 

@@ -46,7 +46,7 @@ const char* const Splats =
   "splats have no surface: in maps they cast no shadows and send no light, "
   "and they receive no indirect light";
 
-// Whether a mapper is VTK's own for polygons, not a class derived from it.
+// Returns true if a mapper is VTK's own for polygons, not of a derived class.
 bool IsPlain(vtkMapper* mapper)
 {
   return mapper && std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
@@ -57,8 +57,8 @@ bool IsPlain(vtkActor* actor)
   return std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 && IsPlain(actor->GetMapper());
 }
 
-// The polygons, lines and points that an actor draws as they are; null where they are not known, as
-// before a mapper of data sets has extracted them.
+// Returns the polygons, lines and points that an actor draws unchanged; null if they are unknown,
+// as before a mapper of data sets has extracted them.
 vtkPolyData* FindDrawn(vtkMapper* mapper)
 {
   auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
@@ -74,9 +74,9 @@ vtkPolyData* FindDrawn(vtkMapper* mapper)
   return inner ? inner->GetInput() : nullptr;
 }
 
-// Whether a prop is drawn by VTK's own polygons with alpha 1 wherever it draws: no texture, which
-// has soft edges, no shader text or pass of somebody else's, and nothing that is forced to be
-// opaque.
+// Returns true if VTK's own polygons draw a prop with alpha 1 everywhere. Textures have soft edges,
+// and so do not count; neither do props with shader text or passes of other classes, nor props that
+// are forced to be opaque.
 bool ActorCoversFully(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -87,7 +87,8 @@ bool ActorCoversFully(vtkActor* actor)
     !shaders->HasFragmentShaderCode() && !shaders->HasGeometryShaderCode();
 }
 
-// A polygon or strip of n points is n - 2 triangles; lines and points are as many of their own.
+// Counts triangles. A polygon or strip of n points is n - 2 triangles; each line or point counts as
+// one.
 double CountTriangles(vtkPolyData* data)
 {
   if (!data)
@@ -120,8 +121,8 @@ bool IsPhysicallyBased(vtkProperty* property)
   return property && property->GetLighting() && property->GetInterpolation() == VTK_PBR;
 }
 
-// Whether data has lines or points and nothing else. Data sets that are no polygons become some in
-// their mappers; of data without cells nothing is known.
+// Returns true if data have lines or points and nothing else. Data sets other than polygons become
+// polygons in their mappers; data without cells are unknown, so the result is false.
 bool IsLinesOrPoints(vtkDataObject* data)
 {
   if (auto* cells = vtkPolyData::SafeDownCast(data))
@@ -147,7 +148,7 @@ bool IsLinesOrPoints(vtkDataObject* data)
   return any;
 }
 
-// The same of the glyphs.
+// Returns the same for the sources of glyphs.
 bool IsLinesOrPoints(vtkGlyph3DMapper* mapper)
 {
   const int count = mapper->GetNumberOfInputConnections(1);
@@ -161,7 +162,7 @@ bool IsLinesOrPoints(vtkGlyph3DMapper* mapper)
   return count > 0;
 }
 
-// Why an actor draws no surfaces; null when it does. drawn: see FindDrawn.
+// Returns the reason why an actor draws no surfaces; null if it draws some. drawn: see FindDrawn.
 const char* FindNoSurface(vtkActor* actor, vtkPolyData* drawn)
 {
   vtkMapper* mapper = actor->GetMapper();
@@ -173,7 +174,7 @@ const char* FindNoSurface(vtkActor* actor, vtkPolyData* drawn)
   {
     return LinesOrPoints;
   }
-  // Other mappers for polygons draw something else at the points, such as spheres.
+  // Other mappers for polygons draw other shapes at the points, such as spheres.
   bool none = IsLinesOrPoints(drawn);
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
@@ -194,7 +195,7 @@ bool IsUnlit(vtkProperty* property, vtkPolyData* drawn)
       !property->GetRenderLinesAsTubes() && !property->GetRenderPointsAsSpheres());
 }
 
-// The props that are drawn in place of one that has parts, all levels of detail among them.
+// Collects the props that are drawn in place of a prop with parts, including all levels of detail.
 void CollectParts(vtkProp* prop, std::vector<vtkProp*>& parts)
 {
   auto addAll = [&parts](auto* props)
@@ -234,11 +235,11 @@ bool IsCaptured(vtkProp* part)
 {
   if (auto* actor = vtkActor::SafeDownCast(part))
   {
-    // Axes and the like are actors without a mapper, which draw actors of their own.
+    // Axes and similar actors have no mapper, and draw actors of their own.
     return !actor->IsA("vtkSkybox") &&
       (actor->GetMapper() || std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0);
   }
-  // Of images that are stacked, only the stack has keys.
+  // In a stack of images, only the stack has keys.
   return part->IsA("vtkImageSlice") && !part->IsA("vtkImageStack");
 }
 }
@@ -274,7 +275,8 @@ std::string vtkIndirectPropKind::Describe(vtkProp* prop)
   text += (text.empty() ? "" : ", ") + std::string(mapper->GetClassName());
   if (mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0)
   {
-    // Data that were set without a pipeline come from a producer that says nothing.
+    // Data that were set without a pipeline come from a trivial producer, whose class tells
+    // nothing.
     vtkAlgorithm* source = mapper->GetInputAlgorithm(0, 0);
     vtkObject* data = mapper->GetInputDataObject(0, 0);
     vtkObject* named = source && !source->IsA("vtkTrivialProducer") ? source : data;
@@ -306,12 +308,12 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
     auto* actor = vtkActor::SafeDownCast(part);
     if (!actor || !actor->GetMapper())
     {
-      kind.Surface = kind.Surface || (!actor && IsCaptured(part)); // an image
+      kind.Surface = kind.Surface || (!actor && IsCaptured(part)); // such as an image
       continue;
     }
-    actor->GetBounds(); // brings the mapper's data up to date
+    actor->GetBounds(); // the call brings the mapper's data up to date
     vtkPolyData* drawn = FindDrawn(actor->GetMapper());
-    // A few glyphs, or one sheet of impostors.
+    // The guess is the number of a few glyphs, or of one sheet of impostors.
     kind.DepthTriangles += drawn ? CountTriangles(drawn) : 20000.0;
     kind.Specular =
       kind.Specular || IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());
@@ -343,7 +345,7 @@ vtkActor* vtkIndirectPropKind::FindRefractor(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
   vtkProperty* property = actor && actor->GetMapper() ? actor->GetProperty() : nullptr;
-  // A property with a NaN in it describes no glass.
+  // A property with a NaN describes no glass.
   if (!property || property->GetInterpolation() != VTK_PBR || !(property->GetOpacity() < 1.0) ||
     !(property->GetBaseIOR() > 1.0) || !std::isfinite(property->GetBaseIOR()) ||
     property->GetRepresentation() != VTK_SURFACE)

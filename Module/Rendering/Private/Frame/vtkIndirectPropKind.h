@@ -11,49 +11,51 @@ class vtkProp;
 struct vtkIndirectPropKind
 {
   /**
-   * Whether all that it draws comes from mappers for polygons which see the prop's own property
-   * keys, so that the capture's outputs are written. What else VTK draws (annotation, 3D widgets,
-   * the skybox) writes its colour alone.
+   * True if all parts are drawn by mappers for polygons that see the prop's own property keys, so
+   * that the capture's outputs are written. All other props of VTK (annotation, 3D widgets, the
+   * skybox) write their colour alone.
    */
   bool Captured = false;
   /**
-   * Why it neither casts shadows nor sends light; null for surfaces, which do both. The property
-   * key CASTS_SHADOWS of vtkIndirectIlluminationPass counts before it, except where there is no
-   * surface at all.
+   * The reason why the prop neither casts shadows nor sends light; null for surfaces, which do
+   * both. The property key CASTS_SHADOWS of vtkIndirectIlluminationPass has priority, except for
+   * props without any surface.
    */
   const char* NoCaster = nullptr;
-  /** Whether what it draws are surfaces, of whatever extent in world units. */
+  /** True if it draws surfaces, of any extent in world units. */
   bool Surface = false;
-  /** Whether VTK lights any of it, so that it may receive indirect light. */
+  /** True if VTK lights any part of it, so that it may receive indirect light. */
   bool Lit = false;
-  /** Whether a lit part reflects specularly, by Phong's model. */
+  /** True if a lit part reflects specularly, by Phong's model. */
   bool Specular = false;
-  /** Whether VTK's PBR lights a part of it, which reflects specularly in any case. */
+  /** True if VTK's PBR lights a part of it, which reflects specularly in any case. */
   bool PhysicallyBased = false;
-  /** Whether it is drawn with alpha one wherever it draws, so that nothing shines through. */
+  /** True if it is drawn with alpha one everywhere, so that nothing shines through. */
   bool CoversFully = false;
-  /** About how many triangles it draws; 1e9 where its mapper alone knows. */
+  /** Approximate number of its triangles; 1e9 if its mapper alone knows. */
   double NumberOfTriangles = 0.0;
-  /** As many triangles take as long in a depth map; where its mapper alone knows, a guess. */
+  /** Number of triangles that take as long in a depth map; a guess if its mapper alone knows. */
   double DepthTriangles = 0.0;
 
   static vtkIndirectPropKind Find(vtkProp* prop);
 
-  /** Whether a prop is drawn on the picture and has nothing in space: no caption, which has a line
-   * there. */
+  /**
+   * Returns true if a prop is drawn on the picture and has nothing in space. Captions do not count:
+   * they have a line in space.
+   */
   static bool IsFlat(vtkProp* prop);
 
   /**
-   * What tells a prop from others of its class: its name in quotes, if it has one, and the classes
-   * of its mapper and of what makes its data. Empty where there is none of these.
+   * Returns what distinguishes a prop from others of its class: its name in quotes, if it has one,
+   * and the classes of its mapper and of its data's source. Empty if it has none of these.
    */
   static std::string Describe(vtkProp* prop);
-  /** Its class, with that in parentheses. */
+  /** Returns its class, with that description in parentheses. */
   static std::string GetFullName(vtkProp* prop);
 
   /**
-   * The actor that a prop is if it refracts light, else null: with VTK's PBR, a BaseIOR above one,
-   * an opacity below one, and polygons that the processor can read.
+   * Returns the prop as an actor if it refracts light, else null. It refracts light with VTK's PBR,
+   * a BaseIOR above one, an opacity below one, and polygons that the processor can read.
    */
   static vtkActor* FindRefractor(vtkProp* prop);
 };

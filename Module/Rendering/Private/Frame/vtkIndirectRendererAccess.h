@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Members of a renderer for as long as a stage draws, without the events and modification times of
+// Access to members of a renderer while a stage draws, without the events and modification times of
 // their setters.
 #ifndef vtkIndirectRendererAccess_h
 #define vtkIndirectRendererAccess_h
@@ -19,7 +19,7 @@ public:
   {
     return renderer->*(&vtkIndirectRendererAccess::Lights);
   }
-  /** Whether passes with a camera clear what they draw to. */
+  /** The flag by which passes with a camera clear their framebuffer. */
   static vtkTypeBool& Clearing(vtkRenderer* renderer)
   {
     return renderer->*(&vtkIndirectRendererAccess::Erase);

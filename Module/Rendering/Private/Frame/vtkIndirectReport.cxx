@@ -40,7 +40,7 @@ JSON GetTimes(const vtkIndirectStageTimer& timer, int stage)
   return times;
 }
 
-// Everything beyond the delegate, the geometry buffer and the lights' maps.
+// All stages other than the delegate, the geometry buffer and the lights' maps.
 constexpr unsigned int IndirectStages = 1u << vtkIndirectStageTimer::Lights |
   1u << vtkIndirectStageTimer::Visibility | 1u << vtkIndirectStageTimer::Sky |
   1u << vtkIndirectStageTimer::Inject | 1u << vtkIndirectStageTimer::Bounces |

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a frame was made of, as JSON.
+// The report of a frame: its methods, numbers and times, as JSON.
 #ifndef vtkIndirectReport_h
 #define vtkIndirectReport_h
 
@@ -14,7 +14,7 @@ class vtkIndirectStageTimer;
 
 struct vtkIndirectReport
 {
-  using Entries = std::vector<std::pair<std::string, std::string>>; // what, why
+  using Entries = std::vector<std::pair<std::string, std::string>>; // subject, reason
 
   int Size[2] = { 0, 0 };
   std::string Method = "off";
@@ -24,16 +24,16 @@ struct vtkIndirectReport
   Entries LeftOut;
   int VirtualLights = 0;
   size_t Bytes = 0;           // of textures and buffers
-  size_t MainMemoryBytes = 0; // of what is kept beside them; see vtkIndirectIlluminationPass
-  /** Relative; negative: not estimated. */
+  size_t MainMemoryBytes = 0; // of other data kept between frames; see vtkIndirectIlluminationPass
+  /** Relative error; negative: not estimated. */
   double EstimatedError = -1.0;
   std::string GLRenderer;
   std::string GLVersion;
   /** Names of the inputs of the frame's light that differ from those of the frame before. */
   std::vector<std::string> Changed;
-  /** How often what is kept between frames was made anew since construction, by name. */
+  /** How often data kept between frames were made again since construction, by name. */
   std::map<std::string, long long> Counters;
-  /** Ways that were in force, name and value; see vtkIndirectPaths. */
+  /** Methods in use, name and value; see vtkIndirectPaths. */
   Entries Paths;
 
   /** Appends entries to Modelled and to LeftOut. */
@@ -43,16 +43,18 @@ struct vtkIndirectReport
     this->LeftOut.insert(this->LeftOut.end(), leftOut.begin(), leftOut.end());
   }
 
-  /** Asks the current context what OpenGL it is. */
+  /** Reads the names of the current context's OpenGL. */
   void ReadGL();
 
   /**
-   * Schema vtkindirect.report/1, valid JSON in any locale: bytes that are not UTF-8 become U+FFFD,
-   * a number that is not finite null.
+   * Writes the schema vtkindirect.report/1 as valid JSON in any locale: bytes that are not UTF-8
+   * become U+FFFD, a number that is not finite becomes null.
    */
   std::string ToJSON(const vtkIndirectStageTimer& timer) const;
 
-  /** For reasons: as many digits as distinguish it from all others, or as are given; in any locale.
+  /**
+   * Formats a number for reasons, in any locale: with `digits` digits, or with as many as
+   * distinguish it from all others.
    */
   static std::string Number(double value, int digits = 0);
 };

@@ -39,8 +39,8 @@
 
 namespace
 {
-// A mapper makes its default lookup table when it first draws, which modifies the mapper: the
-// second frame would take it for another one.
+// Makes a mapper's default lookup table. The mapper would make it in its first draw and be modified
+// by that: the second frame would see a changed mapper.
 void MakeTable(vtkAbstractMapper* mapper)
 {
   if (auto* known = vtkMapper::SafeDownCast(mapper))
@@ -51,7 +51,7 @@ void MakeTable(vtkAbstractMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-// Mixed by splitmix64's finalizer (Steele, Lea, Flood 2014).
+// Mixes bits into the number by splitmix64's finalizer (Steele, Lea, Flood 2014).
 void vtkIndirectRevision::Add(vtkTypeUInt64 bits)
 {
   this->Number += bits + 0x9e3779b97f4a7c15u;
@@ -79,7 +79,7 @@ void vtkIndirectRevision::AddMatrix(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
-// The time of composite data leaves out that of its blocks.
+// Adds data with its blocks, because the time of composite data leaves out that of its blocks.
 void vtkIndirectRevision::AddData(vtkDataObject* data)
 {
   this->AddObject(data);
@@ -152,7 +152,7 @@ void vtkIndirectRevision::AddMapper(vtkAbstractMapper* mapper)
     this->AddObject(nullptr);
     return;
   }
-  // Pipelines come first: some mappers are modified where these run.
+  // Pipelines come first: running them modifies some mappers.
   this->AddInputs(mapper);
   MakeTable(mapper);
   this->AddObject(mapper); // with its lookup table
@@ -173,7 +173,7 @@ void vtkIndirectRevision::AddMapper(vtkAbstractMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
-// whole: else it is a part of another prop, which VTK modifies whenever it draws it.
+// whole: false for a part of another prop, which VTK modifies whenever it draws it.
 void vtkIndirectRevision::AddProp(vtkProp* prop, bool whole)
 {
   this->Add(static_cast<vtkTypeUInt64>(reinterpret_cast<uintptr_t>(prop)));
@@ -182,7 +182,7 @@ void vtkIndirectRevision::AddProp(vtkProp* prop, bool whole)
     return;
   }
   this->Add(prop->GetVisibility() ? 1 : 0);
-  // Passes write into the other keys in every frame.
+  // Only these two keys count: passes write other keys in every frame.
   this->Add(vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()) ? 1 : 0);
   this->Add(vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::SendsLight()) ? 1 : 0);
   this->AddShaders(prop);

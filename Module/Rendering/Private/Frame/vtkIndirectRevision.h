@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// When a prop, a texture or another object has changed: the one place that caches ask.
+// Revisions tell when a prop, a texture or another object has changed: all caches use them.
 //
-// VTK's own times of a prop leave out much that VTK reads while it draws it: planes that clip its
-// mapper, images of textures and what makes these, levels of detail, sources of glyphs, uniforms
-// of its shaders. A newest time also hides what has gone, and what is older than the newest.
+// VTK's own times of a prop leave out many inputs of its drawing: clipping planes of its mapper,
+// images of textures and their pipelines, levels of detail, sources of glyphs, uniforms of its
+// shaders. The newest time of several objects also hides that one has gone, or has been replaced by
+// an older one.
 #ifndef vtkIndirectRevision_h
 #define vtkIndirectRevision_h
 
@@ -19,19 +20,19 @@ class vtkIndirectRevision
 {
 public:
   /**
-   * A number made of all that a prop is drawn from, after pipelines have been brought up to date:
-   * another one when anything has changed, come or gone. Revisions are only compared whether they
-   * are the same, and a double holds them.
+   * Returns a number made of all that a prop is drawn from, after bringing pipelines up to date.
+   * The number changes when anything has changed, come or gone. Revisions are only compared for
+   * equality, and a double holds them.
    */
   static vtkTypeUInt64 Find(vtkProp* prop);
 
-  /** The same of a texture: its settings, its images and its lookup table. */
+  /** Returns the same for a texture: its settings, its images and its lookup table. */
   static vtkTypeUInt64 Find(vtkTexture* texture);
 
-  /** The same of a mesh's shape, whatever colours it has. */
+  /** Returns the same for a mesh's shape, whatever its colours. */
   static vtkTypeUInt64 FindShape(vtkPolyData* mesh);
 
-  /** A revision that something else belongs to, too. */
+  /** Returns a revision that also depends on another one. */
   static vtkTypeUInt64 Join(vtkTypeUInt64 revision, vtkTypeUInt64 other);
 
 private:

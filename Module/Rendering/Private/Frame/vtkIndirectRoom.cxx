@@ -61,7 +61,7 @@ void vtkIndirectRoom::Give(std::vector<vtkIndirectCaster>& casters, bool mayRest
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        // What moves the scene's border outwards has room beyond it.
+        // A caster that moves the scene's border outwards gets room beyond the border.
         double& lower = box[static_cast<size_t>(2 * axis)];
         double& upper = box[static_cast<size_t>(2 * axis + 1)];
         const bool leavesBelow = before.IsValid() && lower < before.GetBound(2 * axis);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The room that props have to move in. Scene units and the fits of all maps follow from them:
-// where something moves at the border of the scene they would change in every frame, and with them
-// all that is kept. Where nothing has moved it is their bounds.
+// The room in which props may move. Scene units and the fits of all maps follow from it. Otherwise
+// a prop that moves at the border of the scene would change them in every frame, and with them all
+// kept results. The room of a scene that has not moved is its bounds.
 #ifndef vtkIndirectRoom_h
 #define vtkIndirectRoom_h
 
 #include <array>         // for boxes
-#include <unordered_map> // for what was before
+#include <unordered_map> // for rooms by prop
 #include <vector>        // for casters
 
 class vtkProp;
@@ -16,15 +16,15 @@ class vtkIndirectRoom
 {
 public:
   /**
-   * Gives casters room. It is their bounds at first. One that has left its room gets an eighth of
-   * the scene's size on each side, which makes the scene no larger where it is within, and keeps
-   * that until it leaves it. Where the scene has come to fill less than half of all room, all get
-   * their bounds again; also where nothing has moved since the last frame, if it may rest: what
-   * stands looks as if it had never moved.
+   * Gives casters room, at first their bounds. A caster that has left its room gets an eighth of
+   * the scene's size on each side, clipped to the scene where the caster lies within it, and keeps
+   * this room until it leaves it. All casters get their bounds again when the scene fills less than
+   * half of all room. They also do when nothing has moved since the last frame and the room may
+   * rest: then a still scene looks as if it had never moved.
    */
   void Give(std::vector<vtkIndirectCaster>& casters, bool mayRest);
 
-  /** Forgets what was before. */
+  /** Forgets all rooms and the last frame. */
   void Forget()
   {
     this->Boxes.clear();

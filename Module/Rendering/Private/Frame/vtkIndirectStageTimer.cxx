@@ -12,7 +12,7 @@ namespace
 // Enough for a stable 95th percentile; older frames are dropped.
 constexpr size_t MaximumNumberOfFrames = 1000;
 
-// Bits of the GPU's clock that the current context lets us read; 0 without timer queries.
+// Returns the bits of the GPU's clock that the current context can read; 0 without timer queries.
 int FindCounterBits()
 {
 #ifdef GL_TIMESTAMP
@@ -28,7 +28,7 @@ int FindCounterBits()
       reinterpret_cast<const char*>(glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i)));
     has = name && std::strcmp(name, "GL_ARB_timer_query") == 0;
   }
-  // The loader may not have looked for an extension's functions.
+  // The loader may not have loaded an extension's functions.
   if (!has || !glQueryCounter || !glGetQueryObjectui64v)
   {
     return 0;
@@ -69,7 +69,7 @@ void vtkIndirectStageTimer::BeginFrame(vtkOpenGLRenderWindow* window)
   this->Intervals.clear();
   if (this->Enabled && window != this->Window)
   {
-    // A pass lets go of a window, and of these queries with it, before it goes to another.
+    // A pass releases its window, with these queries, before it uses another one.
     this->Window = window;
     this->CounterBits = FindCounterBits();
   }
@@ -92,7 +92,7 @@ void vtkIndirectStageTimer::EndFrame()
 }
 
 //------------------------------------------------------------------------------
-// The wall's interval holds the GPU's: the one's clock is read before and after the other's.
+// The wall clock's interval contains the GPU's: the wall clock is read before and after the GPU's.
 void vtkIndirectStageTimer::Begin(Stage stage)
 {
   if (this->Enabled)
@@ -111,7 +111,7 @@ void vtkIndirectStageTimer::End(Stage stage)
 {
   if (this->Enabled)
   {
-    // What an error left open is left out.
+    // Intervals that an error left open are skipped.
     const auto open = std::find_if(this->Intervals.rbegin(), this->Intervals.rend(),
       [stage](const Interval& interval) { return interval.Stage == stage; });
     if (open != this->Intervals.rend() && open->End == 0)
@@ -125,7 +125,8 @@ void vtkIndirectStageTimer::End(Stage stage)
 }
 
 //------------------------------------------------------------------------------
-// Has the GPU write down its time; returns the query's place, never 0 behind another.
+// Makes the GPU record its time; returns the query's place, which is never 0 for the end of an
+// interval.
 size_t vtkIndirectStageTimer::Query()
 {
   const size_t place = this->NumberOfUsedQueries++;
@@ -142,7 +143,7 @@ size_t vtkIndirectStageTimer::Query()
 }
 
 //------------------------------------------------------------------------------
-// Milliseconds; waits for them.
+// Returns milliseconds; waits for the queries.
 double vtkIndirectStageTimer::Measure(const Interval& interval) const
 {
   uint64_t passed = 0;
@@ -151,7 +152,7 @@ double vtkIndirectStageTimer::Measure(const Interval& interval) const
   GLuint64 end = 0;
   glGetQueryObjectui64v(this->Queries[interval.Begin], GL_QUERY_RESULT, &begin);
   glGetQueryObjectui64v(this->Queries[interval.End], GL_QUERY_RESULT, &end);
-  // The clock may have begun anew in between, and need not be strictly in order.
+  // The clock may have wrapped around in between, and its times may be slightly out of order.
   const uint64_t mask = ~uint64_t{ 0 } >> (64 - std::min(this->CounterBits, 64));
   passed = (end - begin) & mask;
   passed = passed > mask / 2 ? 0 : passed;

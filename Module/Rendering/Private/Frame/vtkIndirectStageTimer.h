@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times of a frame's stages: by wall clock, and by the GPU's own clock where OpenGL has timer
-// queries. Mesa's llvmpipe starts that clock with a stage's first pixel: vertices are left out.
+// Times of a frame's stages: by wall clock, and by the GPU's own clock if OpenGL has timer queries.
+// Mesa's llvmpipe starts that clock with a stage's first pixel: vertices are left out.
 #ifndef vtkIndirectStageTimer_h
 #define vtkIndirectStageTimer_h
 
@@ -39,20 +39,22 @@ public:
   };
   static const char* GetName(int stage);
 
-  /** While on, glFinish brackets each stage, which costs what overlap there would have been. */
+  /** If true, glFinish brackets each stage, which costs the overlap of stages. */
   bool Enabled = false;
 
-  /** window: whose context is current until the frame ends. */
+  /** window: its context is current until the frame ends. */
   void BeginFrame(vtkOpenGLRenderWindow* window);
   void EndFrame();
   /** A stage may begin several times in a frame, and within another; not within itself. */
   void Begin(Stage stage);
   void End(Stage stage);
   void Reset();
-  /** Lets go of the queries; times stay. */
+  /** Releases the queries; times stay. */
   void Release();
 
-  /** Percentile95Milliseconds: the least of the times that at least 95 % of them do not exceed. */
+  /**
+   * Percentile95Milliseconds: the smallest of the times that at least 95 % of them do not exceed.
+   */
   struct Statistics
   {
     int Count = 0;
@@ -65,7 +67,7 @@ public:
     GPU // over the frames whose OpenGL had queries
   };
   Statistics Get(int stage, Clock clock = Wall) const;
-  /** Statistics over frames of the sum of some stages; bit i stands for stage i. */
+  /** Returns statistics over frames of the sum of some stages; bit i selects stage i. */
   Statistics GetSum(unsigned int stages, Clock clock = Wall) const;
   static Statistics Summarize(std::vector<double> times);
   int GetNumberOfFrames() const { return static_cast<int>(this->Frames.size()); }
@@ -79,12 +81,12 @@ private:
     Times OfGPU{};
     bool HasGPU = false;
   };
-  // Points of the GPU's clock in a frame, by their queries.
+  // An interval of the GPU's clock in a frame, by the numbers of its queries.
   struct Interval
   {
     int Stage;
     size_t Begin;
-    size_t End; // 0: still open
+    size_t End; // 0: not ended
   };
 
   size_t Query();
@@ -95,9 +97,9 @@ private:
   FrameTimes Current;
   std::vector<FrameTimes> Frames;
 
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the queries
-  int CounterBits = 0;                          // of the GPU's clock; 0: it has none
-  std::vector<unsigned int> Queries;            // used again in each frame
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // window of the queries
+  int CounterBits = 0;               // bits of the GPU's clock; 0: there are no timer queries
+  std::vector<unsigned int> Queries; // queries, reused in each frame
   size_t NumberOfUsedQueries = 0;
   std::vector<Interval> Intervals;
 };

@@ -14,7 +14,8 @@
 
 namespace
 {
-// known: what has been looked at.
+// Returns true if an algorithm's data come from a vtkSelectVisiblePoints. known: algorithms already
+// visited.
 bool ComesFromVisiblePoints(vtkAlgorithm* algorithm, std::set<vtkAlgorithm*>& known)
 {
   if (algorithm->IsA("vtkSelectVisiblePoints"))

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The renderer's own switches that a renderer with a pass does not see to: which of them the pass
-// sees to, and what is to be said of the others.
+// Switches of the renderer that VTK ignores for a renderer with a pass. The pass handles some of
+// them; for the others the report gets an entry.
 //
-// Seen to elsewhere: background, gradient, texture, Erase and the layers' PreserveColorBuffer and
+// Handled elsewhere: background, gradient, texture, Erase and the layers' PreserveColorBuffer and
 // PreserveDepthBuffer, translucent props with UseDepthPeeling and UseDepthPeelingForVolumes,
 // UseFXAA (vtkIndirectView); UseImageBasedLighting (vtkIndirectImageLight). VTK's mappers light
-// both sides of a surface, whatever TwoSidedLighting says.
+// both sides of a surface, whatever TwoSidedLighting is.
 #ifndef vtkIndirectSwitches_h
 #define vtkIndirectSwitches_h
 
-#include <set>     // for what has been said
+#include <set>     // for warnings that were given
 #include <string>  // for reasons
 #include <utility> // for pairs
 #include <vector>  // for lists
@@ -19,25 +19,28 @@ class vtkRenderState;
 class vtkIndirectSwitches
 {
 public:
-  using Entries = std::vector<std::pair<std::string, std::string>>; // what, why
+  using Entries = std::vector<std::pair<std::string, std::string>>; // subject, reason
 
-  /** Whether the renderer removes hidden lines, and there are lines to remove. */
+  /** Returns true if the renderer removes hidden lines, and there are lines to remove. */
   static bool RemovesHiddenLines(const vtkRenderState* s);
   /**
-   * Whether something in the scene is drawn where the depth buffer says that it is seen, as labels
-   * of a vtkSelectVisiblePoints are.
+   * Returns true if a prop is drawn where the depth buffer shows that its place is visible, such as
+   * labels of a vtkSelectVisiblePoints.
    */
   static bool LooksDepthUp(const vtkRenderState* s);
   /**
-   * Why surfaces cannot be had under the passes that the renderer's chain of passes begins with;
-   * empty where they can.
+   * Returns the reason why the renderer's first passes in its chain give no surfaces; empty if they
+   * do.
    */
   static std::string FindRefusal(const vtkRenderState* s);
 
-  /** What is on and not done. ownDelegate: the user's own draws the opaque props. */
+  /**
+   * Finds the switches that are on without effect. ownDelegate: the user's own delegate draws the
+   * opaque props.
+   */
   void Update(const vtkRenderState* s, bool ownDelegate);
   const Entries& GetLeftOut() const { return this->LeftOut; }
-  /** Whether to say this now: true once, until it has not been for a frame. */
+  /** Returns true if this must be reported now: once, until it is absent from a frame. */
   bool IsNew(const std::string& what) { return this->Said.insert(what).second; }
 
 private:

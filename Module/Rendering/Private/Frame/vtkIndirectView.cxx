@@ -19,8 +19,9 @@
 
 namespace
 {
-// vtkCamera::Render, which a renderer without a pass calls, sets whether the camera is one eye
-// of two. It also clears the window, not the framebuffer of a pass around this one.
+// A camera that tells whether it is one eye of two. vtkCamera::Render, which a renderer without a
+// pass calls, also sets that, but clears the window instead of the framebuffer of a pass around
+// this one.
 class StereoCamera : public vtkCamera
 {
 public:
@@ -30,7 +31,7 @@ public:
   }
 };
 
-// Whether the renderer's FXAA runs: not in framebuffers of other passes.
+// Returns true if the renderer's FXAA runs: it does not in framebuffers of other passes.
 bool HasFXAA(const vtkRenderState* s)
 {
   return s->GetRenderer()->GetUseFXAA() && !s->GetFrameBuffer();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a renderer without a pass does before and after it draws its opaque props.
+// The work of a renderer without a pass before and after it draws its opaque props.
 #ifndef vtkIndirectView_h
 #define vtkIndirectView_h
 
@@ -20,25 +20,26 @@ public:
   ~vtkIndirectView();
 
   /**
-   * Viewport, scissor, background (as vtkCameraPass) and the lights (as vtkLightsPass). Returns
-   * whether the viewport's depth has been cleared.
+   * Sets up viewport, scissor, background (as vtkCameraPass) and the lights (as vtkLightsPass).
+   * Returns true if the viewport's depth has been cleared.
    */
   bool Begin(const vtkRenderState* s);
 
   /**
-   * What antialiases the picture after this pass, or empty: the renderer's FXAA, if RenderRemaining
-   * follows, or a pass that the renderer's chain of passes begins with.
+   * Returns the stage that antialiases the picture after this pass, or an empty string: the
+   * renderer's FXAA, if RenderRemaining follows, or a pass at the start of the renderer's chain of
+   * passes.
    */
   static std::string FindAntialiasing(const vtkRenderState* s, bool remaining);
 
   /**
-   * What opaque props on the picture do where VTK draws opaque ones: labels choose by the depth
-   * what is seen of their places. Returns how many props were drawn.
+   * Draws the opaque geometry of flat props, at the time when VTK draws opaque props: labels find
+   * by the depth which of their places are visible. Returns how many props were drawn.
    */
   static int RenderFlat(const vtkRenderState* s);
 
   /**
-   * Translucent props, FXAA when the renderer asks for it, volumes and overlays, as
+   * Draws translucent props, FXAA if the renderer asks for it, volumes and overlays, as
    * vtkOpenGLRenderer::UpdateGeometry. Returns how many props were drawn.
    */
   int RenderRemaining(const vtkRenderState* s);

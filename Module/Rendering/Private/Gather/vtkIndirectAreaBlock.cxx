@@ -52,7 +52,7 @@ void vtkIndirectAreaBlock::Update(vtkOpenGLRenderWindow* window, const vtkIndire
     rows[n + i] = Row(lamp.Edge1, lamp.Row >= 0 ? lamp.Pyramid.GetTop() : -1);
     rows[2 * n + i] = Row(lamp.Edge2, lamp.Row);
     const double share = lamp.GetArea() / static_cast<double>(points);
-    // Disks of further rounds lie between those of others.
+    // Disks of further rounds lie between those of other rounds.
     const bool further = maps && maps->GetRound() > 0;
     rows[3 * n + i] =
       Row(lamp.Normal, further ? share / vtkIndirectAreaLamps::NumberOfRounds : share);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Area lights and points of them as shaders have them (vtkIndirectAreaLamps.glsl).
+// A uniform block with area lights and points of them for shaders (vtkIndirectAreaLamps.glsl).
 #ifndef vtkIndirectAreaBlock_h
 #define vtkIndirectAreaBlock_h
 
@@ -13,13 +13,13 @@ class vtkIndirectAreaMaps;
 class vtkIndirectAreaBlock
 {
 public:
-  /** Of so many lamps at most, and so many points of each. */
+  /** Makes a block for at most this many lamps, and this many points of each lamp. */
   vtkIndirectAreaBlock(size_t lamps, size_t points);
 
-  /** What shaders must define before they include vtkIndirectAreaLamps.glsl. */
+  /** Returns the definitions that shaders need before they include vtkIndirectAreaLamps.glsl. */
   std::string GetDefinitions() const;
 
-  /** Lamps from `first` on. Without maps they have no points. */
+  /** Takes `count` lamps from `first` on. Without maps the lamps have no points. */
   void Update(vtkOpenGLRenderWindow* window, const vtkIndirectAreaLamps& lamps, size_t first,
     size_t count, const vtkIndirectAreaMaps* maps);
   void Activate(vtkShaderProgram* program) const { this->Block.Activate(program); }

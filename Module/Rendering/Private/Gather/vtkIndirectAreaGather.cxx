@@ -74,7 +74,7 @@ bool vtkIndirectAreaGather::Update(const Input& input, int mostMaps)
 }
 
 //------------------------------------------------------------------------------
-// Returns whether frames of the same view add nothing to the result.
+// Returns true if further frames of the same view add nothing to the result.
 bool vtkIndirectAreaGather::IsFinished() const
 {
   return !this->Visible || this->Moving || this->Rounds.IsFinished();
@@ -95,7 +95,8 @@ int vtkIndirectAreaGather::GetNumberOfTilesLeft() const
 }
 
 //------------------------------------------------------------------------------
-// Of the mean of an image. The sum of its pieces' errors is a small part of what they are allowed.
+// Returns the tolerance of an image's mean. The sum of its pieces' errors is a small part of their
+// tolerances.
 double vtkIndirectAreaGather::GetTolerance(const Input& input) const
 {
   return (this->Moving ? 0.5 : 0.25) * input.Plan.ErrorTolerance;
@@ -217,7 +218,8 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
 {
   const vtkIndirectFrame& frame = input.Frame;
   const vtkIndirectAreaLamps::List& lamps = this->Lamps.Get();
-  // Images are worth samples: what has one radiance takes less time than those.
+  // Images are sampled: samples take less time than the closed form of an image at each pixel, and
+  // more than that of a lamp of one radiance.
   if (std::any_of(lamps.begin(), lamps.end(), [](const auto& lamp) { return lamp->Row >= 0; }))
   {
     return this->StillSamples.Sum(

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The irradiance that comes directly from area lights: in closed form if nothing hid them (images:
-// texels of a pyramid, as fine as the tolerance asks for), times the share of the light that is
-// seen. That share is a ratio of two sums over points of the light, each with a depth map of its
-// own: where nothing is hidden it is one, and there is no noise. Still frames do so at every pixel
-// (vtkIndirectAreaRounds), moving ones at samples (vtkIndirectAreaSamples).
+// The irradiance that comes directly from area lights. It is the unoccluded irradiance in closed
+// form (for images: over texels of a pyramid, as fine as the tolerance requires), times the visible
+// share of the light. This share is a ratio of two sums over points of the light, each with a depth
+// map of its own: for a fully visible light it is one, without noise. Still frames sum at every
+// pixel (vtkIndirectAreaRounds), moving ones at samples (vtkIndirectAreaSamples).
 #ifndef vtkIndirectAreaGather_h
 #define vtkIndirectAreaGather_h
 
@@ -33,7 +33,7 @@ public:
   }
   bool IsComplete() const override { return !this->Visible || this->Maps.IsComplete(); }
   int GetNumberOfTilesLeft() const override;
-  /** A still result is refined by further rounds of points of each light. */
+  /** Sums the light. Further rounds of points of each light refine a still result. */
   vtkIndirectEstimate Sum(const Input& input) override;
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
   void Release(vtkWindow* window) override;
@@ -53,16 +53,16 @@ private:
   void SetLamp(const Input& input, vtkShaderProgram* program, const Lamp& lamp);
 
   vtkIndirectAreaLamps Lamps;
-  vtkIndirectAreaMaps Maps; // of the first round
-  bool Visible = false;     // something can hide them
+  vtkIndirectAreaMaps Maps; // maps of the first round
+  bool Visible = false;     // something can hide the lamps
   bool Moving = false;
-  int TilesLeft = 0;                                               // to draw in this frame
-  vtkIndirectFullScreenProgram Kernel{ "vtkIndirectAreaFS.glsl" }; // of one radiance
-  vtkIndirectAreaSamples Samples;                                  // of moving frames
-  vtkIndirectAreaSamples StillSamples;                             // of images, in others
+  int TilesLeft = 0; // maps left to draw in this frame
+  vtkIndirectFullScreenProgram Kernel{ "vtkIndirectAreaFS.glsl" }; // for lamps of one radiance
+  vtkIndirectAreaSamples Samples;                                  // for moving frames
+  vtkIndirectAreaSamples StillSamples;                             // for images, in still frames
   vtkIndirectAreaRounds Rounds;
   vtkIndirectAreaLobes Lobes;
-  bool Specular = false; // some receiver is
+  bool Specular = false; // some receivers are specular
   vtkIndirectTarget Irradiance;
 };
 

@@ -18,7 +18,7 @@ const vtkIndirectChannel PyramidChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// Of the texture that images share: half of what every OpenGL 4 has, in case others have more.
+// Rows of the images' common texture: half of what every OpenGL 4 allows, to be safe.
 constexpr int MostRows = 8192;
 
 glm::dvec3 ToVector(const double v[3])
@@ -26,9 +26,9 @@ glm::dvec3 ToVector(const double v[3])
   return { v[0], v[1], v[2] };
 }
 
-// A net of points of the square whose number is a power of two, and so of any such number of them
-// that follow each other from a multiple of it on (Sobol 1967, the first two dimensions). Each cell
-// of 16, 64 or 1024 of them has its point near its middle, by the digits that are flipped.
+// Makes a net of points of the square: any power of two of points is such a net, and so is any run
+// of that many points from a multiple of it on (Sobol 1967, the first two dimensions). The flipped
+// digits put the point of each cell of 16, 64 or 1024 points near the cell's middle.
 glm::dvec2 PlaceOf(unsigned int number)
 {
   constexpr unsigned int flipped = (1u << 27) | (1u << 25) | (1u << 21);
@@ -62,7 +62,7 @@ int vtkIndirectAreaLamps::GetNumberOfPoints() const
 }
 
 //------------------------------------------------------------------------------
-// Of images, a level that is as fine as the points of all rounds are.
+// Weights of images come from a level that is as fine as the points of all rounds.
 std::vector<vtkIndirectAreaLamps::Point> vtkIndirectAreaLamps::MakePoints(
   const Lamp& lamp, int round) const
 {

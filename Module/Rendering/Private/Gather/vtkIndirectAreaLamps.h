@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The area lights of a scene that are on, as shaders have them: where they are in scene units, what
-// they send, the points of them whose depth maps tell what hides them, and images in one texture.
+// The area lights of a scene that are on, as data for shaders: their places in scene units, their
+// radiances, the points whose depth maps tell what hides them, and their images in one texture.
 //
-// Points stay where they are on the rectangle while its image changes, and with them their maps.
+// Points stay in place on the rectangle while its image changes, and so do their maps.
 #ifndef vtkIndirectAreaLamps_h
 #define vtkIndirectAreaLamps_h
 
@@ -24,31 +24,32 @@ class vtkIndirectAreaLamps
 public:
   vtkIndirectAreaLamps();
 
-  /** Points of a lamp in a round; where lamps are many, fewer of each, but so many at least. */
+  /** Points of a lamp in a round. With many lamps each has fewer points, but at least LeastPoints.
+   */
   static constexpr int MostPoints = 64;
   static constexpr int LeastPoints = 16;
-  /** Rounds, in which a frame that stands still asks further points. */
+  /** Number of rounds, by which a still frame looks up further points. */
   static constexpr int NumberOfRounds = 16;
 
-  // A point of a light: where, what it stands for, and its places in the atlas of depth maps.
+  // A point of a light: its place, its weight, and its tiles in the atlas of depth maps.
   struct Point
   {
     glm::dvec2 Place;          // in [0,1) along the edges
     glm::dvec3 Weight{ 1.0 };  // radiance over the mean
-    int Tiles[2] = { -1, -1 }; // of the front, and of the back
+    int Tiles[2] = { -1, -1 }; // tiles of the front and of the back
   };
   struct Lamp
   {
     vtkAreaLight* Light = nullptr; // to be compared only
-    vtkMTimeType Time = 0;         // of the light that the rest was made from
+    vtkMTimeType Time = 0;         // time of the light for which the other members were made
     glm::dvec3 Corner{ 0.0 };      // scene units
     glm::dvec3 Edge1{ 0.0 };
     glm::dvec3 Edge2{ 0.0 };
     glm::dvec3 Normal{ 0.0 };
-    glm::dvec3 Radiance{ 0.0 }; // mean
+    glm::dvec3 Radiance{ 0.0 }; // mean radiance
     bool TwoSided = false;
     vtkIndirectAreaPyramid Pyramid;
-    int Row = -1; // first of the image's in the texture; -1 where the radiance is one
+    int Row = -1; // first row of the image in the texture; -1 for a lamp of one radiance
     bool TextureIsStale = true;
 
     double GetArea() const { return glm::length(glm::cross(this->Edge1, this->Edge2)); }
@@ -59,22 +60,23 @@ public:
   };
   using List = std::vector<std::unique_ptr<Lamp>>;
 
-  /** Returns whether anything has changed. */
+  /** Brings the lamps up to date. Returns true if anything has changed. */
   bool Update(
     const vtkIndirectFrame& frame, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
   const List& Get() const { return this->Lamps; }
 
-  /** Of each lamp, in a round. */
+  /** Returns the number of points of each lamp in a round. */
   int GetNumberOfPoints() const;
   /**
-   * Those of a round. In the first one, which may be all there is, each stands for what of an image
-   * is nearer to it than to others; in further ones, which fill the gaps, for what is where it is.
+   * Makes the points of a round. In the first round, which may be the only one, each point
+   * represents the part of an image that is nearer to it than to other points. In further rounds,
+   * which fill the gaps, a point represents the image at its place.
    */
   std::vector<Point> MakePoints(const Lamp& lamp, int round) const;
 
   /** Brings the images' texture up to date. Returns false, after an error. */
   bool UpdateTexture(const vtkIndirectFrame& frame);
-  /** That texture: vtkiAreaPyramid. Only where some lamp has an image. */
+  /** Returns that texture, vtkiAreaPyramid. Valid only if some lamp has an image. */
   const vtkIndirectTarget& GetTexture() const { return this->Texture; }
 
   size_t GetBytes() const { return this->Texture.GetBytes(); }
@@ -85,10 +87,10 @@ private:
   void PlaceImages();
 
   List Lamps;
-  double SceneScale = 0.0; // that they were placed in
+  double SceneScale = 0.0; // scale in which the lamps were placed
   glm::dvec3 SceneCenter{ 0.0 };
   vtkIndirectTarget Texture;
-  int Width = 0; // of the texture
+  int Width = 0; // width of the texture
   int Height = 0;
 };
 

@@ -28,7 +28,7 @@ const vtkIndirectChannel TableChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 constexpr size_t MostPoints = vtkIndirectAreaLamps::MostPoints;
-constexpr size_t RowsOfPoint = 5; // of the block
+constexpr size_t RowsOfPoint = 5; // rows of a point in the block
 constexpr size_t RowsOfSides = 10;
 }
 

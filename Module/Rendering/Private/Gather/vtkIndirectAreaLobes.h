@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What receivers reflect of area lights in their specular lobes, at every pixel that is specular.
-// Where no receiver is, nobody asks for it.
+// The light of area lights that receivers reflect in their specular lobes, at every specular pixel.
+// It is not summed in a scene without specular receivers.
 #ifndef vtkIndirectAreaLobes_h
 #define vtkIndirectAreaLobes_h
 
@@ -23,16 +23,16 @@ public:
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    const vtkIndirectAreaLamps& Lamps; // their texture up to date
-    const vtkIndirectAreaMaps* Maps;   // null: nothing hides them
-    size_t Points;                     // of each lamp, to look up at most
+    const vtkIndirectAreaLamps& Lamps; // with an up-to-date texture
+    const vtkIndirectAreaMaps* Maps;   // null: nothing hides the lamps
+    size_t Points;                     // largest number of points of each lamp to look up
     double Tolerance;
   };
 
-  /** Within a vtkIndirectFullScreenState. Returns false, after an error. */
+  /** Sums the lobes, within a vtkIndirectFullScreenState. Returns false, after an error. */
   bool Sum(const Input& input);
 
-  /** Radiance in VTK's units, of a pixel's own reflectance. */
+  /** Returns radiance in VTK's units, with each pixel's own reflectance. */
   const vtkIndirectTarget& GetReflected() const { return this->Reflected; }
 
   size_t GetBytes() const;
@@ -46,7 +46,7 @@ private:
   void SetPoints(const Input& input, vtkShaderProgram* program, size_t number);
 
   vtkIndirectUniformBlock Block{ "vtkiAreaLobeBlock" };
-  vtkIndirectFullScreenProgram Kernels[2]; // of one radiance, of images
+  vtkIndirectFullScreenProgram Kernels[2]; // for one radiance, for images
   vtkIndirectTarget Tables;                // transforms, integrals
   vtkIndirectTarget Reflected;
 };

@@ -8,7 +8,7 @@
 
 namespace
 {
-// Of all maps of a round, without strips: 16 MB.
+// Texels along an edge of all maps of a round together, without strips: 16 MB.
 constexpr int MostTexels = 2048;
 constexpr int TexelsOfFew = 256;
 constexpr int TexelsOfMany = 128;
@@ -124,7 +124,7 @@ glm::vec4 vtkIndirectAreaMaps::GetWindow(
 glm::vec4 vtkIndirectAreaMaps::GetStripWindow(size_t lamp, size_t side, size_t strip) const
 {
   const vtkIndirectDepthTile::Strip& drawn = this->Lamps[lamp].Views[side].Strips[strip];
-  // Where nothing hides anything all places are outside.
+  // Without a caster to hide the lamp all places are outside.
   return drawn.HalfWidth.x > 0.0
     ? glm::vec4(glm::dvec4(1.0 / drawn.HalfWidth, -drawn.Middle / drawn.HalfWidth))
     : glm::vec4(1e-6f, 1e-6f, 2.0f, 2.0f);

@@ -6,7 +6,7 @@
 
 namespace
 {
-// Shares of pixels in texels along an axis: each pixel's, of all texels that it lies in.
+// The share of a pixel in a texel along an axis.
 struct Share
 {
   int Texel;

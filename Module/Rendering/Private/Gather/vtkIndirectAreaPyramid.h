@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The radiance of a rectangle in halves, quarters and so on, as vtkIndirectAreaImage.glsl descends
-// it.
+// A pyramid of a rectangle's radiance, in halves, quarters and so on. vtkIndirectAreaImage.glsl
+// descends it.
 #ifndef vtkIndirectAreaPyramid_h
 #define vtkIndirectAreaPyramid_h
 
@@ -10,13 +10,16 @@
 class vtkIndirectAreaPyramid
 {
 public:
-  /** Texels along an edge of the finest level at most. */
+  /** Largest number of texels along an edge of the finest level. */
   static constexpr int MostTexels = 256;
 
-  /** From pixels, three floats each; their mean is kept. most: texels along an edge. */
+  /**
+   * Builds the levels from pixels of three floats each; preserves the pixels' mean. most: texels
+   * along an edge.
+   */
   void Build(const std::vector<float>& radiances, int columns, int rows, int most = MostTexels);
 
-  /** The level of one texel. */
+  /** Returns the level of one texel. */
   int GetTop() const { return static_cast<int>(this->Levels.size()) - 1; }
   int GetEdge(int level) const { return 1 << (this->GetTop() - level); }
   glm::vec3 GetMean(int level, int x, int y) const
@@ -27,13 +30,14 @@ public:
   bool IsUniform() const { return this->GetTop() == 0; }
 
   /**
-   * All levels beside each other, the finest alone to the left, 3 / 2 edges by one, in rows of so
-   * many texels: mean, and three times the variance.
+   * Makes a texture of all levels side by side, the finest alone to the left, 3 / 2 edges by one,
+   * in rows of this many texels: mean, and three times the variance.
    */
   std::vector<float> MakeTexture(int width) const;
 
 private:
-  // The finest first. Mean; variance of the texels of the finest level below.
+  // The finest level is the first. A texel has the mean, and the variance of its texels of the
+  // finest level.
   std::vector<std::vector<glm::vec4>> Levels;
 };
 

@@ -39,7 +39,7 @@ bool vtkIndirectAreaRounds::Resize(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Of points that have a map.
+// Adds the points that have a map.
 bool vtkIndirectAreaRounds::Add(const Input& input, const vtkIndirectAreaMaps& maps)
 {
   const vtkIndirectFrame& frame = input.Frame;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The share of area lights that is seen, in frames that stand still: a ratio of two sums over
-// points of the lights, each with a depth map of its own. The first round's points are those of
-// moving frames; further frames of the same view add further rounds, whose maps are not kept.
+// The visible share of area lights in still frames: a ratio of two sums over points of the lights,
+// each with a depth map of its own. The points of the first round are those of moving frames.
+// Further frames of the same view add further rounds, whose maps are not kept.
 #ifndef vtkIndirectAreaRounds_h
 #define vtkIndirectAreaRounds_h
 
@@ -26,23 +26,27 @@ public:
     const vtkIndirectGeometryBuffer& Geometry;
     vtkSurfaceCapturePass* Capture;
     const vtkIndirectAreaLamps& Lamps;
-    const vtkIndirectAreaMaps& First; // of the first round
+    const vtkIndirectAreaMaps& First; // maps of the first round
     bool Caching;
   };
 
-  /** Creates what Sum and Multiply need. Returns false, after an error, when OpenGL refuses. */
+  /**
+   * Creates the targets of Sum and Multiply. Returns false, after an error, when OpenGL refuses.
+   */
   bool Resize(const vtkIndirectFrame& frame);
-  /** What lights give if nothing hid them is drawn here. */
+  /** Returns the target for the lights' unoccluded irradiance. */
   vtkIndirectTarget& GetOpen() { return this->Open; }
 
   /** Sums the first round. Returns false, after an error. */
   bool Begin(const Input& input);
-  /** Draws maps of the next round, at most so many, and sums it when all are there. */
+  /**
+   * Draws at most `most` maps of the next round, and sums the round when all its maps are present.
+   */
   bool Continue(const Input& input, int most);
-  /** Multiplies what lights give by the share that is seen, in a vtkIndirectFullScreenState. */
+  /** Multiplies the unoccluded irradiance by the visible share, in a vtkIndirectFullScreenState. */
   bool Multiply(const vtkIndirectFrame& frame, vtkIndirectTarget& irradiance);
 
-  /** How many rounds are there. */
+  /** Returns the number of rounds that are summed. */
   int GetNumberOfRounds() const { return this->Rounds; }
   bool IsFinished() const { return this->Rounds >= vtkIndirectAreaLamps::NumberOfRounds; }
 
@@ -54,7 +58,7 @@ private:
   bool Add(const Input& input, const vtkIndirectAreaMaps& maps);
 
   int Rounds = 0;
-  vtkIndirectAreaMaps Maps; // of the next round
+  vtkIndirectAreaMaps Maps; // maps of the next round
   vtkIndirectAreaBlock Block;
   vtkIndirectTarget Open;
   vtkIndirectTarget Sums;

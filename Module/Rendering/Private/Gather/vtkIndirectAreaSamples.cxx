@@ -30,11 +30,11 @@ const vtkIndirectChannel SampleChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// Pixels between places where light is known if nothing hid it; between samples, as in
+// Pixels between places of known unoccluded light, and between samples; the same numbers are in
 // vtkIndirectAreaSamples.glsl.
 constexpr int OpenStep = 8;
 constexpr int SampleStep = 4;
-// Together with their points they have less than 16384 bytes, which every OpenGL has for a block.
+// These lamps with their points take less than 16384 bytes, which every OpenGL allows for a block.
 constexpr size_t LampsOfBatch = 8;
 
 int DivideUp(int number, int step)
@@ -56,7 +56,7 @@ bool vtkIndirectAreaSamples::Resize(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   const int* const size = frame.Size;
-  // One more at the border, so that each pixel lies between four.
+  // One more place at the border puts each pixel between four places.
   return this->Open.Resize(
            frame.Window, DivideUp(size[0], OpenStep) + 1, DivideUp(size[1], OpenStep) + 1) &&
     this->Samples.Resize(
@@ -163,7 +163,7 @@ bool vtkIndirectAreaSamples::Interpolate(
       this->Samples.Activate(2, program);
     }
     vtkOpenGLState* state = input.Frame.Window->GetState();
-    // The first writes, the others add.
+    // The first batch writes, the others add.
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
     if (batch.First > 0)
     {

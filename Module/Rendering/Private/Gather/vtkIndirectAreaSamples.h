@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Irradiance that comes directly from area lights in moving frames: in closed form, and images by
-// their descent, at every eighth pixel of every eighth row, and wherever surfaces or light are not
-// even between these. What hides the light, 16 points of each lamp tell, which four pixels of a
-// block of 4 x 4 ask between them.
+// Irradiance that comes directly from area lights in moving frames. It is computed in closed form,
+// and for images by their descent, at every eighth pixel of every eighth row, and wherever surfaces
+// or light vary between these. Its visible share comes from 16 points of each lamp, which four
+// pixels of each block of 4 x 4 share among them.
 //
-// What it ignores: edges of shadows finer than four pixels; steps between the 16 points.
+// Limits: edges of shadows finer than four pixels are lost; steps between the 16 points show.
 #ifndef vtkIndirectAreaSamples_h
 #define vtkIndirectAreaSamples_h
 
@@ -24,10 +24,10 @@ class vtkIndirectAreaSamples
 public:
   vtkIndirectAreaSamples();
 
-  /** Points of a lamp that are asked. */
+  /** Number of points of a lamp that are looked up. */
   static constexpr int NumberOfPoints = 16;
   ///@{
-  /** Distances in moving frames, and in those that stand still. */
+  /** Distances in moving frames, and in still ones. */
   static constexpr int DistancesOfMoving = 14;
   static constexpr int DistancesOfStill = 28;
   ///@}
@@ -37,14 +37,14 @@ public:
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
     const vtkIndirectAreaLamps& Lamps;
-    const vtkIndirectAreaMaps* Maps; // null where nothing hides lamps
-    double Tolerance;                // of the mean of an image
-    int Distances;                   // from which on light is interpolated, over those of samples
+    const vtkIndirectAreaMaps* Maps; // null: nothing hides lamps
+    double Tolerance;                // tolerance of an image's mean
+    int Distances; // distance, over that of samples, from which on light is interpolated
   };
 
   /**
-   * Adds to a target of the frame's size that is clear, with blending functions of one and one, in
-   * a vtkIndirectFullScreenState. Returns false, after an error.
+   * Adds the light to a cleared target of the frame's size, with blending functions of one and one,
+   * in a vtkIndirectFullScreenState. Returns false, after an error.
    */
   bool Sum(const Input& input, vtkIndirectTarget& irradiance);
 
@@ -52,7 +52,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  // Lamps of a draw.
+  // The lamps of one draw.
   struct Batch
   {
     size_t First;

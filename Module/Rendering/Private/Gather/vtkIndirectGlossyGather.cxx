@@ -15,7 +15,7 @@
 
 namespace
 {
-// Rows of 256 lights in one draw: long draws stall a desktop, and some drivers end them.
+// Rows of 256 lights in one draw: long draws stall a desktop, and some drivers abort them.
 constexpr int RowsPerDraw = 16;
 }
 

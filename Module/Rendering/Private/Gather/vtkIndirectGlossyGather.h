@@ -11,7 +11,7 @@ class vtkIndirectTarget;
 class vtkIndirectGlossyGather
 {
 public:
-  /** Texels around a receiver's place in each map, where the estimator has no sampler. */
+  /** Texels around a receiver's place in each map, for an estimator without a sampler. */
   struct Neighborhood
   {
     int NumberOfSamples = 0;
@@ -19,7 +19,7 @@ public:
   };
 
   /**
-   * Fills `glossy`, of the frame's size, in which one stands for `unit`. Within a
+   * Fills `glossy`, of the frame's size, where a value of one means `unit`. Must be called within a
    * vtkIndirectFullScreenState.
    */
   bool Sum(const vtkIndirectEstimateInput& input, vtkIndirectTarget& glossy, double unit,

@@ -20,10 +20,10 @@ const vtkIndirectChannel CoarseChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// Rows of 256 lights in one draw: long draws stall a desktop, and some drivers end them.
+// Rows of 256 lights in one draw: long draws stall a desktop, and some drivers abort them.
 constexpr int RowsPerDraw = 16;
 
-// What is less than this of the brightest irradiance of the frame is interpolated in any case.
+// Light below this share of the frame's brightest irradiance is interpolated in any case.
 constexpr double Least = 1e-3;
 }
 
@@ -46,7 +46,7 @@ bool vtkIndirectLobeGather::Add(
   const vtkIndirectVisibility& visibility = input.Visibility;
   const int rows = input.Lights->GetNumberOfRows();
   const int rowsPerDraw = FindRowsPerDraw(input);
-  // Pixels that interpolation leaves are summed in one go.
+  // The pixels that cannot be interpolated are summed in one draw.
   const bool interpolate =
     step > 1 && rows * vtkIndirectSampler::RowLength <= visibility.GetMaximumNumberOfSenders();
   if (!interpolate)
@@ -138,7 +138,7 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
   }
   target.Begin();
   state->vtkglEnable(GL_BLEND);
-  // An image's own alpha is one; of samples it is a sum.
+  // The alpha of an image is one; that of samples is a sum.
   const GLenum alpha = &target == &this->Coarse ? GL_ONE : GL_ZERO;
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, alpha, GL_ONE);
   const int rows = lights.GetNumberOfRows();

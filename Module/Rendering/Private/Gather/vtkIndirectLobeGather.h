@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the specular lobes of virtual lights give receivers, added to what an estimator has made of
-// their diffuse light: at every pixel, or interpolated from every few where that changes little. A
+// Adds the light of virtual lights' specular lobes to an estimator's result for their diffuse
+// light: at every pixel, or interpolated between samples where interpolation changes little. A
 // narrow lobe is summed at every pixel that it may reach, however coarse the diffuse light is.
 #ifndef vtkIndirectLobeGather_h
 #define vtkIndirectLobeGather_h
@@ -16,7 +16,7 @@ class vtkIndirectLobeGather
 public:
   vtkIndirectLobeGather();
 
-  /** Where sums go: images of the frame's size, in which one stands for `Unit`. */
+  /** The targets of sums: images of the frame's size, where a value of one means `Unit`. */
   struct Output
   {
     vtkIndirectTarget& Irradiance;
@@ -25,16 +25,16 @@ public:
   };
 
   /**
-   * Adds the lobes of the frame's lights, where these have any. step: pixels between samples, 1:
-   * none is interpolated; tolerance: of interpolation, over the light there. Within a
-   * vtkIndirectFullScreenState, and a scope of the blending's function. Returns false, after an
-   * error, when OpenGL refuses.
+   * Adds the lobes of the frame's lights, if these have any. step: pixels between samples, 1: no
+   * pixel is interpolated; tolerance: error of interpolation, over the light of the pixel. Must be
+   * called within a vtkIndirectFullScreenState, and a scope of the blending's function. Returns
+   * false, after an error, when OpenGL refuses.
    */
   bool Add(const vtkIndirectEstimateInput& input, const Output& output, int step, double tolerance);
 
   /**
-   * Adds them to what specular receivers reflect alone, whose unit is one: for estimators that sum
-   * the irradiance of lobes themselves. Otherwise as Add.
+   * Adds the lobes only to the reflections of specular receivers, whose unit is one: for estimators
+   * that sum the irradiance of lobes themselves. Otherwise as Add.
    */
   bool AddToGlossy(const vtkIndirectEstimateInput& input, vtkIndirectTarget& glossy);
 

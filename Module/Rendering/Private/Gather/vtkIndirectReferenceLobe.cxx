@@ -10,7 +10,7 @@
 
 namespace
 {
-// log of cos^2 of an angle by its sine, without loss of digits.
+// Returns the log of cos^2 of an angle from its sine, without loss of digits.
 double LogOfRest(double sine)
 {
   return std::log1p(-std::min(sine * sine, 1.0 - 1e-15));
@@ -28,7 +28,7 @@ double vtkIndirectReferenceLobe::FindStrength(const glm::dvec3& toReceiver) cons
   {
     return 0.0;
   }
-  // The lobe is widened where it would be narrower than half the light.
+  // A lobe narrower than half the light is widened to that.
   const double reach = 0.5 * std::sqrt(this->Exponent * this->Area);
   const double exponent = reach > r ? this->Exponent * r2 / (reach * reach) : this->Exponent;
   const double sine = glm::length(glm::cross(this->Direction, toReceiver)) / r;

@@ -17,11 +17,13 @@ struct vtkIndirectReferenceLobe
   double Exponent;
   glm::dvec3 Flux;
 
-  /** What a lobe of flux one gives a surface that faces it: vtkiSenderLobeStrength times the
-   * distance. */
+  /**
+   * Returns the irradiance of a surface that faces a lobe of flux one: vtkiSenderLobeStrength times
+   * the distance.
+   */
   double FindStrength(const glm::dvec3& toReceiver) const;
 
-  /** Those of virtual lights that have some. */
+  /** Returns the lobes of virtual lights that have one. */
   static std::vector<vtkIndirectReferenceLobe> Read(const vtkIndirectVirtualLights& lights);
 };
 

@@ -12,14 +12,16 @@
 
 namespace
 {
-// From this share of all light on a direction's shadow is seen by itself: eight grey levels of 256
-// where it is hidden from a surface that faces it. At most 32 directions have so much.
+// A direction with more than this share of all light is strong, because its shadow is visible by
+// itself: eight grey levels of 256 if it is hidden from a surface that faces it. At most 32
+// directions have so much light.
 constexpr double StrongShare = 1.0 / 32.0;
-// Strong directions are those of so many at least: of fewer each has such a share.
+// Strong directions are found among at least this many: each of fewer directions may have such a
+// share.
 constexpr int LeastLattice = 256;
 // Pieces of the sky along an edge of the octahedron's square, two degrees across. A piece that a
-// receiver's horizon cuts counts as what is seen of its middle: that is a third of the square of
-// its half width, 0.0003, less than what an open plane gets from a uniform sky.
+// receiver's horizon cuts counts by the visibility of its middle: an open plane gets less from a
+// uniform sky by a third of the square of the piece's half width, 0.0003.
 constexpr int Pieces = 64;
 
 glm::dvec3 ToVector(const double v[3])
@@ -72,7 +74,7 @@ bool vtkIndirectSkyDirections::HasStrong(vtkEnvironmentLight* environment)
 }
 
 //------------------------------------------------------------------------------
-// What is strong, and all the rest in small pieces.
+// Finds the strong directions, and all other light in small pieces.
 void vtkIndirectSkyDirections::FindLight(
   vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment)
 {
@@ -123,7 +125,7 @@ void vtkIndirectSkyDirections::FindLight(
     this->Flux[static_cast<size_t>(find(place.y)) * Pieces + find(place.x)] +=
       sent / vtkMath::Pi() * d;
   }
-  // That of a uniform sky with as much light.
+  // The unit is the radiance of a uniform sky with as much light.
   this->Unit = rest > 0.0 ? rest / (4.0 * vtkMath::Pi()) : 1.0;
 }
 
@@ -149,7 +151,7 @@ void vtkIndirectSkyDirections::FindOthers(int count)
 std::vector<vtkIndirectSkyDirections::Summand> vtkIndirectSkyDirections::Share(
   const std::vector<size_t>& numbers)
 {
-  // Cells that have been shared between some of these are shared with the further ones.
+  // If the previous directions are among these, cells are shared with the additional ones only.
   const bool more =
     std::includes(numbers.begin(), numbers.end(), this->Sharing.begin(), this->Sharing.end());
   std::vector<size_t> added;
@@ -207,7 +209,8 @@ vtkIndirectSkyDirections::OpenSky vtkIndirectSkyDirections::MakeOpenSky(
       0.5 * Sum(summand.Light) / vtkMath::Pi() / this->Unit * this->Lattice[summand.Number]);
     sky.SummedFlux += summedFlux.back();
   }
-  // Coordinate by coordinate, and the texels in the inner loop: compilers make vectors of that.
+  // The loops go coordinate by coordinate, with the texels inside, so that compilers can vectorize
+  // them.
   constexpr size_t texels = static_cast<size_t>(VTKI_OPEN_SKY_TEXELS) * VTKI_OPEN_SKY_TEXELS;
   std::vector<float> normals[3];
   for (size_t i = 0; i < texels; ++i)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The directions that a frame sums the sky over, and what each of them stands for. Those of a
-// moving frame are the first ones of a still frame's, so that both look into the same depth maps;
-// each stands for what is nearer to it than to the others that are summed. What much of all light
-// comes from, such as a sun, is summed by itself, and is the same in both.
+// The directions that a frame sums the sky over, and the light of each. The directions of a moving
+// frame are the first ones of a still frame, so that both use the same depth maps. A direction
+// represents the part of the sky that is nearer to it than to other summed directions. A direction
+// with much of all light, such as a sun's, is summed by itself, in the same way in both frames.
 #ifndef vtkIndirectSkyDirections_h
 #define vtkIndirectSkyDirections_h
 
 #include "vtkType.h" // for times
 
 #include <glm/glm.hpp> // for directions
-#include <map>         // for what is kept
+#include <map>         // for kept results
 #include <vector>      // for lists
 
 class vtkEnvironmentLight;
@@ -18,12 +18,12 @@ class vtkIndirectSkyProjection;
 class vtkIndirectSkyDirections
 {
 public:
-  /** A direction, and what comes from there: radiance times solid angle. */
+  /** A direction, and its light: radiance times solid angle. */
   struct Summand
   {
-    size_t Number; // of the direction
+    size_t Number; // number of the direction
     glm::dvec3 Light;
-    glm::dvec3 Direction; // unit, to where it comes from: of what is strong and narrow its middle
+    glm::dvec3 Direction; // unit, to the light's origin: for strong and narrow light its middle
     bool operator==(const Summand& other) const
     {
       return this->Number == other.Number && this->Light == other.Light &&
@@ -32,31 +32,32 @@ public:
   };
 
   /**
-   * Finds what the first `count` of `still` directions stand for. Returns whether anything has
+   * Finds the light of the first `count` of `still` directions. Returns true if anything has
    * changed since the last call.
    */
   bool Update(
     vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still);
 
-  /** Unit, to where the light comes from. */
+  /** Returns the unit direction to the light. */
   const glm::dvec3& GetDirection(size_t number) const { return this->Lattice[number]; }
-  /** Whether more than a 32nd of an environment's light comes from one of 256 directions. */
+  /** Returns true if one of 256 directions has more than a 32nd of an environment's light. */
   static bool HasStrong(vtkEnvironmentLight* environment);
-  /** Those that more than a 32nd of all light comes from. */
+  /** Returns the directions that have more than a 32nd of all light. */
   const std::vector<Summand>& GetStrong() const { return this->Strong; }
-  /** The others from which light comes; without what the strong ones have. */
+  /** Returns the other directions with light, without the light of the strong ones. */
   const std::vector<Summand>& GetOthers() const { return this->Others; }
   /**
-   * The same light in fewer directions, given by ascending numbers: each stands for what is nearer
-   * to it than to the rest of these. Fast where there are more of them than last time.
+   * Distributes the same light over fewer directions, given by ascending numbers: each represents
+   * the part of the sky that is nearer to it than to the others. Fast if the numbers extend those
+   * of the last call.
    */
   std::vector<Summand> Share(const std::vector<size_t>& numbers);
 
   /**
-   * Light of the others by the direction of a normal where nothing hides it: by all that they stand
-   * for, and by those of the directions that are summed; both are sums over the colours, divided by
-   * GetUnit. As in vtkIndirectLibSky.glsl: four values for each texel, of which the first two
-   * count, and the vectors.
+   * Unoccluded light of the others by the direction of a normal: that of the whole sky, and that of
+   * the summed directions. Both are sums over the colours, divided by GetUnit. As in
+   * vtkIndirectLibSky.glsl: four values for each texel, of which the first two count, and the
+   * vectors.
    */
   struct OpenSky
   {
@@ -65,22 +66,22 @@ public:
     glm::vec3 SummedFlux{ 0.0f };
   };
   OpenSky MakeOpenSky(const std::vector<Summand>& summed);
-  /** Irradiance of the order of that of the others; positive. */
+  /** Returns a positive irradiance of the order of the others' irradiance. */
   double GetUnit() const { return this->Unit; }
 
-  /** Says that nothing of it is to be kept. */
+  /** Makes the next Update find everything again. */
   void Forget() { this->Environment = nullptr; }
 
 private:
   void FindLight(vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
   void FindOthers(int count);
 
-  std::vector<glm::dvec3> Lattice; // at least 256 of them
+  std::vector<glm::dvec3> Lattice; // at least 256 directions
   std::vector<Summand> Strong;
   std::vector<Summand> Others;
-  std::map<int, std::vector<Summand>> Known; // others, by their number
-  // Pieces of the environment that the others have between them; and by which direction's number
-  // each was shared, last, and the cosine to it.
+  std::map<int, std::vector<Summand>> Known; // others, by number of directions
+  // Pieces of the environment that the others share. Each piece has the number of the direction
+  // that it was last given to, and the cosine to that direction.
   struct Cell
   {
     glm::dvec3 Direction;
@@ -89,12 +90,12 @@ private:
     double Cosine;
   };
   std::vector<Cell> Cells;
-  std::vector<size_t> Sharing;   // between which
-  std::vector<glm::dvec3> Flux;  // of pieces of the sky: irradiance of what faces them
-  std::vector<float> OpenTexels; // of these; empty before it is asked for
+  std::vector<size_t> Sharing;   // numbers of the last Share
+  std::vector<glm::dvec3> Flux;  // of pieces of the sky: irradiance of surfaces that face them
+  std::vector<float> OpenTexels; // made from Flux on the first request
   double Unit = 1.0;
 
-  vtkEnvironmentLight* Environment = nullptr; // whose light it is, and its time
+  vtkEnvironmentLight* Environment = nullptr; // last environment, and its time
   vtkMTimeType Time = 0;
   int Count = 0;
   int Still = 0;

@@ -41,13 +41,14 @@ const vtkIndirectChannel OpenChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// As in vtkIndirectSkyDirections.glsl.
+// The same number is in vtkIndirectSkyDirections.glsl.
 constexpr size_t RowsPerDirection = 5;
 
-// Directions of a draw, at most 204: 16384 bytes, which every OpenGL has. Long draws stall a
+// Directions of a draw, at most 204: 16384 bytes, which every OpenGL allows. Long draws stall a
 // desktop.
 constexpr int SumBlock = 128;
-// Those that a pixel asks which its neighbours leave alone: of more, those that come first.
+// Largest number of directions that a pixel without neighbours on its surface looks up by itself;
+// further directions are skipped.
 constexpr int OwnBlock = 64;
 
 constexpr int StrongTexels = 1024;
@@ -77,7 +78,7 @@ void vtkIndirectSkyGather::UpdateDirections(const Input& input)
   {
     directions[Strong].push_back(summand.Direction);
   }
-  // A place for each, whether light comes from there or not: it may when the environment is turned.
+  // Each direction has a place, with light or not: it may get light when the environment turns.
   for (int i = 0; i < still; ++i)
   {
     directions[Others].push_back(this->Directions.GetDirection(static_cast<size_t>(i)));
@@ -125,8 +126,8 @@ void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Those of the others that have maps. Before the first has one, all of them: nothing hides what has
-// no map, see MakeBlock.
+// Chooses the others that have maps. Until the first map is drawn it chooses all of them: nothing
+// hides a direction without a map, see MakeBlock.
 void vtkIndirectSkyGather::ChooseSummed()
 {
   const std::vector<Summand>& others = this->Directions.GetOthers();
@@ -157,7 +158,7 @@ void vtkIndirectSkyGather::AppendTo(vtkIndirectKey& key, const Input& input) con
 }
 
 //------------------------------------------------------------------------------
-// Besides the directions, a sky may have a few suns.
+// A sky may have a few suns besides the directions.
 int vtkIndirectSkyGather::CountMapsNeeded(const Input& input) const
 {
   return input.Plan.HasSkyMaps() && !this->IsComplete() ? input.Plan.NumberOfSkyDirections + 32 : 0;
@@ -186,7 +187,7 @@ bool vtkIndirectSkyGather::Update(const Input& input, int mostMaps)
       group.Atlas.Release(frame.Window);
       continue;
     }
-    // However many are strong, half of the time is left for the others.
+    // Strong directions, however many, leave half of the time to the others.
     const int already = static_cast<int>(this->GetNumberOfTilesDrawn() - drawn);
     const int time = i == Strong && !this->Directions.GetOthers().empty() ? mostMaps - mostMaps / 2
                                                                           : mostMaps - already;
@@ -234,7 +235,7 @@ std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
     const double bias = VTKI_TILE_ROUGHNESS * std::max(texel.x, texel.y) / range;
     auto row = [&](const glm::dvec3& axis, double unit, double origin)
     { return glm::vec4(glm::dvec4(axis / unit, origin - glm::dot(axis, tile.Place) / unit)); };
-    // What has no map is looked up beyond its border, where nothing hides it.
+    // A direction without a map is looked up beyond the map's border, where nothing hides it.
     block[k] = there ? row(tile.Right, texel.x, 0.5 * texels)
                      : glm::vec4(0.0f, 0.0f, 0.0f, static_cast<float>(-texels));
     block[size + k] = row(tile.Up, texel.y, 0.5 * texels);
@@ -299,7 +300,7 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   const int step = this->Step = input.Plan.SkyBlock;
-  // A texel for each of four pixels, or parts of whole blocks.
+  // The sums have a texel for each of four pixels, or parts of whole blocks.
   const int part = step > 1 ? step : 2;
   const int factor = step > 1 ? step : 1;
   const int size[2] = { (frame.Size[0] + part - 1) / part * factor,
@@ -383,7 +384,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   {
     classes[k % classes.size()].push_back(terms[k]);
   }
-  // One draw writes, several add up.
+  // A single draw writes; several draws add up.
   const bool adds = std::any_of(classes.begin(), classes.end(),
     [&](const Terms& list) { return list.empty() || list.size() > size; });
 
@@ -501,7 +502,7 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
   this->Irradiance.Begin();
   input.Frame.Window->GetState()->vtkglEnable(GL_BLEND);
   this->Activate(input, &group, program);
-  // At most 32 of them.
+  // There are at most 32 strong directions.
   this->SetBlock(input, program, group, terms, 0, SumBlock);
   this->StrongKernel.Draw();
   this->Deactivate(input, &group);

@@ -3,20 +3,21 @@
 // world, each with a depth map of the scene. Turning or changing the environment changes weights
 // alone; maps are kept while the camera moves.
 //
-// A pixel of a still frame asks all directions. Those of a moving one ask some, the pixels of a
-// block all of them between them (Keller and Heidrich 2001, "Interleaved sampling"), in pieces of
-// the image that ask the same (Segovia, Iehl, Mitanchey, Peroche 2006, "Non-interleaved deferred
-// shading of interleaved sample patterns"), and are then averaged over neighbours on their surface.
+// A pixel of a still frame looks up all directions. A pixel of a moving one looks up some of them,
+// and the pixels of a block together look up all (Keller and Heidrich 2001, "Interleaved
+// sampling"). Pixels with the same directions are drawn together (Segovia, Iehl, Mitanchey, Peroche
+// 2006, "Non-interleaved deferred shading of interleaved sample patterns"), and then averaged over
+// neighbours on their surface.
 //
-// What directions find hidden is a share of what they stand for: the irradiance is that share of
-// the sky's where nothing hides it, which is known. So directions whose number or place a frame
-// cannot choose, such as those that neighbours have asked, change what is hidden alone.
+// The directions give the visible share of their light: the irradiance is this share of the
+// unoccluded sky's irradiance, which is known. So directions that a frame cannot choose in number
+// or place, such as those of neighbours, change the hidden share alone.
 //
-// A direction that much of the light comes from, such as that of a sun, has a finer map and
-// filtered edges of its shadows, at every pixel.
+// A direction with much of the light, such as a sun's, has a finer map and filtered edges of its
+// shadows, at every pixel.
 //
-// What it ignores: shadows between those of the directions, surfaces finer than a tile's texel (too
-// dark in relief, too bright at contacts).
+// Limits: shadows between those of the directions are lost, as are surfaces finer than a tile's
+// texel (too dark in relief, too bright at contacts).
 #ifndef vtkIndirectSkyGather_h
 #define vtkIndirectSkyGather_h
 
@@ -45,7 +46,7 @@ public:
   int CountMapsNeeded(const Input& input) const override;
   /**
    * Draws the maps of strong directions first, then those of the other directions in an order that
-   * spreads any number of them over the sky; the directions that have maps stand for all of it.
+   * spreads any number of them over the sky. The directions that have maps represent the whole sky.
    */
   bool Update(const Input& input, int mostMaps) override;
   size_t GetNumberOfTilesDrawn() const override;
@@ -59,10 +60,10 @@ public:
 private:
   using Summand = vtkIndirectSkyDirections::Summand;
 
-  // Directions whose maps are alike.
+  // Directions with maps of one kind.
   struct Group
   {
-    std::vector<glm::dvec3> Directions; // that have a place in the atlas
+    std::vector<glm::dvec3> Directions; // directions with a place in the atlas
     std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
     int Texels = 0;
     vtkIndirectDepthAtlas Atlas;
@@ -94,8 +95,8 @@ private:
   bool SumStrong(const Input& input);
 
   vtkIndirectTarget Irradiance;
-  vtkIndirectTarget Sums[2]; // of what pixels have asked themselves; of still and moving frames
-  vtkIndirectTarget Rows;    // over neighbours in the row
+  vtkIndirectTarget Sums[2]; // sums of pixels' own directions; of still and moving frames
+  vtkIndirectTarget Rows;    // sums over neighbours in the row
   vtkIndirectTarget OpenSky;
   enum GroupType
   {
@@ -105,10 +106,10 @@ private:
   };
   Group Groups[NumberOfGroups];
   vtkIndirectSkyDirections Directions;
-  std::vector<Summand> Summed; // of the others: those that have maps stand for all
+  std::vector<Summand> Summed; // summed directions of the others: those with maps represent all
   vtkIndirectUniformBlock Block{ "vtkiSkyBlock" };
 
-  // Of still and of moving frames, which follow each other too often to be built anew.
+  // Programs for still and moving frames, which alternate too often to be built again each time.
   vtkIndirectFullScreenProgram SumKernels[2]{ { "vtkIndirectSkyFS.glsl" },
     { "vtkIndirectSkyFS.glsl" } };
   vtkIndirectFullScreenProgram ColumnKernels[2]{ { "vtkIndirectSkyFilterFS.glsl" },
@@ -121,10 +122,10 @@ private:
   glm::vec3 OpenFlux{ 0.0f };
   glm::vec3 SummedFlux{ 0.0f };
   bool Visible = false;
-  // Maps that further frames draw: none is there; what is there shows what was.
+  // Maps that further frames draw: missing ones, and stale ones, which show an earlier scene.
   int NumberOfMissing = 1;
   int NumberOfStale = 0;
-  int Step = 1; // of the last frame: edge of the blocks of pixels that share directions
+  int Step = 1; // edge, in the last frame, of the blocks of pixels that share directions
 };
 
 #endif

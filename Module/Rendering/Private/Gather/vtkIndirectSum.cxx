@@ -53,7 +53,8 @@ vtkIndirectSum& vtkIndirectSum::Get(const vtkIndirectEstimatorPass* pass)
 //------------------------------------------------------------------------------
 void vtkIndirectSum::HoldContext(vtkOpenGLRenderWindow* window, vtkMTimeType user)
 {
-  // The pass that draws by this estimator has released the rest, and is in the middle of a frame.
+  // The pass that draws by this estimator has released its other resources, and is in the middle of
+  // a frame.
   this->IsHolding = true;
   this->Guard->SetContext(window);
   if (user != this->User && this->User != 0)

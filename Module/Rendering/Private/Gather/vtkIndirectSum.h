@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An estimator as the pipeline sees it: geometry buffer, maps and virtual lights in, irradiance
-// out. A vtkIndirectEstimatorPass holds the user's settings and one of these, which sums the light.
+// out. A vtkIndirectEstimatorPass holds the user's settings and an object of this class, which sums
+// the light.
 #ifndef vtkIndirectSum_h
 #define vtkIndirectSum_h
 
@@ -24,7 +25,7 @@ class vtkIndirectSum
 public:
   using Input = vtkIndirectEstimateInput;
 
-  /** pass: the public object that holds it. */
+  /** pass: the public object that holds this one. */
   explicit vtkIndirectSum(vtkIndirectEstimatorPass& pass);
   virtual ~vtkIndirectSum();
   vtkIndirectSum(const vtkIndirectSum&) = delete;
@@ -33,32 +34,32 @@ public:
   static vtkIndirectSum& Get(const vtkIndirectEstimatorPass* pass);
 
   /**
-   * Lets go of all graphics resources when the window's context ends, also while the illumination
-   * pass uses another estimator and does not know this one; and at once of those of another window
-   * or for another user, a number that each illumination pass has of its own. To be called in every
-   * frame, before anything else of the frame.
+   * Makes the estimator release all graphics resources when the window's context ends, also while
+   * the illumination pass uses another estimator and does not know this one. Releases them at once
+   * if they belong to another window or another user; each illumination pass is a user with a
+   * number of its own. Must be called in every frame, before all other functions.
    */
   void HoldContext(vtkOpenGLRenderWindow* window, vtkMTimeType user);
   /**
-   * Gives back what it holds in the window's context; without a window nothing happens. Returns
-   * whether the pass that draws frames by this estimator alone has to do the same.
+   * Releases all resources in the window's context; does nothing without a window. Returns true if
+   * the pass that draws frames by this estimator alone has to release its resources, too.
    */
   bool Release(vtkWindow* window);
   /**
-   * Grows with each estimate, and where resources are released: an estimate exists, with its
-   * images, as long as this is what it was when it had been made.
+   * Grows with each estimate, and when resources are released: an estimate and its images are valid
+   * as long as this number is the same as right after the estimate.
    */
   vtkMTimeType GetEstimateTime() const { return this->EstimateTime.GetMTime(); }
-  /** Makes the frame's irradiance, see Estimate. */
+  /** Makes the frame's irradiance; see Estimate. */
   vtkIndirectEstimate MakeEstimate(const Input& input);
 
-  /** The facts that the plan needs of it, where the user asks for this error tolerance. */
+  /** Returns the facts that the plan needs of it, for an error tolerance of the user. */
   virtual vtkIndirectAbilities GetAbilities(double tolerance) const;
-  /** Its needs of the visibility stage. Default: what the plan has chosen. */
+  /** Returns its needs of the visibility stage. Default: as planned. */
   virtual vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const;
   /**
-   * The sampler whose lights this estimator reads: the user's, one of its own, or null when it
-   * reads the maps themselves.
+   * Returns the sampler whose lights this estimator reads: the user's, one of its own, or null if
+   * it reads the maps themselves.
    */
   virtual vtkIndirectSampler::Pointer ChooseSampler(
     const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan&)
@@ -66,14 +67,14 @@ public:
     return users;
   }
 
-  /** Bytes of textures and buffers. */
+  /** Returns the bytes of textures and buffers. */
   virtual size_t GetBytes() const;
-  /** Bytes of tables in main memory. */
+  /** Returns the bytes of tables in main memory. */
   virtual size_t GetMainMemoryBytes() const { return 0; }
-  /** Says what the last frame modelled and left out. Default: one diffuse bounce. */
+  /** Adds what the last frame modelled and left out to the report. Default: one diffuse bounce. */
   virtual void AddToReport(vtkIndirectReport& report) const;
 
-  /** Names of buffers of the estimator's own that can be looked at. */
+  /** Returns the names of the estimator's own buffers that can be displayed. */
   virtual std::vector<std::string> GetChannelNames() const { return {}; }
   /**
    * Draws one of these buffers, of the last frame, into the bound target of the frame's size, which
@@ -85,28 +86,29 @@ public:
     return 0;
   }
 
-  /** VTK irradiance that a stored value of one stands for. */
+  /** Returns the VTK irradiance of a stored value of one. */
   double GetIrradianceUnit() const { return this->IrradianceUnit; }
   const vtkIndirectTarget& GetIrradiance() const { return *this->Irradiance; }
 
 protected:
   /** Makes the frame's irradiance; FAILED after an error. */
   virtual vtkIndirectEstimate Estimate(const Input& input) = 0;
-  /** Gives back the resources of a subclass, in the context of this window. */
+  /** Releases the resources of a subclass, in the context of this window. */
   virtual void ReleaseOwn(vtkWindow* window) = 0;
 
   /**
-   * Chooses whether the irradiance is stored in 16-bit floats, of which one stands for `unit`, and
-   * whether a 16-bit depth buffer comes with it. The default is 32-bit floats, one, and none.
+   * Chooses whether the irradiance is stored in 16-bit floats, where a value of one means `unit`,
+   * and whether a 16-bit depth buffer comes with it. Default: 32-bit floats, a unit of one, and no
+   * depth buffer.
    */
   void SetIrradianceStorage(vtkWindow* window, bool half, double unit, bool depth);
   /**
-   * Creates or resizes the texture of what is reflected specularly, stored like the irradiance, for
-   * a frame that has it, and releases it for others; HasGlossy says which. After
+   * Creates or resizes the texture of specular reflections, stored like the irradiance, if the
+   * frame has them, and releases it otherwise; HasGlossy tells which. To be called after
    * SetIrradianceStorage. Returns false, after an error, when OpenGL refuses.
    */
   bool ResizeGlossy(const Input& input);
-  /** The last frame's result, with the images as they are now. */
+  /** Returns the last frame's result, with its current images. */
   vtkIndirectEstimate MakeResult() const;
 
   vtkIndirectEstimatorPass& Pass;

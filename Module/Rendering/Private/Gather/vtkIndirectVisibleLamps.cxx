@@ -46,7 +46,7 @@ struct Place
   }
 };
 
-// Whether the eye is on a side that sends light.
+// Returns true if the eye is on a side that sends light.
 bool IsFacing(const vtkIndirectFrame& frame, vtkAreaLight* light, const glm::dvec3& normal)
 {
   const glm::dmat4 toWorld = glm::inverse(frame.WorldToView);
@@ -55,8 +55,8 @@ bool IsFacing(const vtkIndirectFrame& frame, vtkAreaLight* light, const glm::dve
   return light->GetTwoSided() || glm::dot(normal, toEye) > 0.0;
 }
 
-// As long as one of these lives surfaces are not cut at the near and far planes, and win over those
-// that they lie in: a lamp on a wall is seen.
+// During the object's lifetime surfaces are not clipped at the near and far planes, and are drawn
+// over coplanar surfaces: a lamp on a wall is visible.
 struct LampState
 {
   LampState()
@@ -84,8 +84,8 @@ int vtkIndirectVisibleLamps::Count(const Lights& lights)
 }
 
 //------------------------------------------------------------------------------
-// Pixels of an image are pieces of one radiance: seen from near by they have edges, from afar the
-// mean of those that share a pixel of the picture.
+// Makes a texture of a light's image. A pixel of the image is a piece of one radiance: it has edges
+// when seen from near by, and pixels that share a pixel of the picture give their mean.
 vtkTextureObject* vtkIndirectVisibleLamps::FindPicture(
   vtkOpenGLRenderWindow* window, vtkAreaLight* light)
 {
@@ -103,7 +103,7 @@ vtkTextureObject* vtkIndirectVisibleLamps::FindPicture(
     picture.Time = time;
     picture.Texture = vtkSmartPointer<vtkTextureObject>::New();
     picture.Texture->SetContext(window);
-    picture.Texture->SetMaxLevel(1000); // all that there are
+    picture.Texture->SetMaxLevel(1000); // all levels
     picture.Texture->SetMinificationFilter(vtkTextureObject::LinearMipmapLinear);
     picture.Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
     picture.Texture->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -189,7 +189,7 @@ bool vtkIndirectVisibleLamps::Draw(
   {
     return true;
   }
-  // Beyond the far plane depth does not tell which is in front.
+  // Lamps are drawn from back to front: beyond the far plane depth cannot order them.
   auto depth = [&](const vtkSmartPointer<vtkAreaLight>& light)
   {
     const Place place(light);
@@ -214,7 +214,7 @@ size_t vtkIndirectVisibleLamps::GetBytes() const
   for (const auto& picture : this->Pictures)
   {
     vtkTextureObject* const texture = picture.second.Texture;
-    // With its means: a third more.
+    // The levels with means take a third more.
     bytes += static_cast<size_t>(texture->GetWidth()) * texture->GetHeight() * 16;
   }
   return bytes;

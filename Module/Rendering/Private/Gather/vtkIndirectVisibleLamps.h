@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Area lights that are seen themselves, drawn into the geometry buffer as what is not lit: only the
-// eye sees them, so that no depth map holds them and nothing is in their shadow.
+// Area lights that are visible themselves, drawn into the geometry buffer as unlit surfaces. Only
+// the eye sees them, so no depth map holds them and they cast no shadows.
 //
-// They are no props, and nobody fits the camera's clipping range to them: beyond its planes they
-// are drawn all the same, in front of or behind everything else.
+// They are not props, and the camera's clipping range is not fitted to them: beyond its planes they
+// are drawn nevertheless, in front of or behind everything else.
 #ifndef vtkIndirectVisibleLamps_h
 #define vtkIndirectVisibleLamps_h
 
@@ -26,10 +26,10 @@ class vtkIndirectVisibleLamps
 public:
   using Lights = std::vector<vtkSmartPointer<vtkAreaLight>>;
 
-  /** How many can be seen from somewhere. */
+  /** Returns the number of lamps that are visible from some place. */
   static int Count(const Lights& lights);
 
-  /** Returns false, after an error, when OpenGL refuses. */
+  /** Draws the lamps. Returns false, after an error, when OpenGL refuses. */
   bool Draw(
     const vtkIndirectFrame& frame, const Lights& lights, vtkIndirectGeometryBuffer& geometry);
 
@@ -41,7 +41,7 @@ private:
   struct Picture
   {
     vtkSmartPointer<vtkTextureObject> Texture;
-    vtkMTimeType Time = 0; // of the light
+    vtkMTimeType Time = 0; // time of the light
   };
 
   vtkTextureObject* FindPicture(vtkOpenGLRenderWindow* window, vtkAreaLight* light);
@@ -49,7 +49,7 @@ private:
     const vtkIndirectFrame& frame, vtkAreaLight* light, const vtkIndirectGeometryBuffer& geometry);
 
   vtkIndirectPointProgram Kernels[2] = { { "vtkIndirectLampVS.glsl", "vtkIndirectLampFS.glsl" },
-    { "vtkIndirectLampVS.glsl", "vtkIndirectLampFS.glsl" } }; // of one radiance, of images
+    { "vtkIndirectLampVS.glsl", "vtkIndirectLampFS.glsl" } }; // for one radiance, for images
   std::map<vtkSmartPointer<vtkAreaLight>, Picture> Pictures;
 };
 

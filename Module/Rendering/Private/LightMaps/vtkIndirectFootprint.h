@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a box falls in an image that is drawn from an emitter: whether any of it can be there.
+// The footprint of a box in an image that is drawn from an emitter, to tell whether any of the box
+// can be there.
 #ifndef vtkIndirectFootprint_h
 #define vtkIndirectFootprint_h
 
 #include <glm/glm.hpp> // for corners
-#include <limits>      // for what is empty
+#include <limits>      // for empty footprints
 
 class vtkIndirectFootprint
 {
 public:
   /**
-   * Adds a corner. place: to the right and up; width: half of what the image shows there, not
-   * positive where that is behind the emitter; tooNear: it lies before what the image shows.
+   * Adds a corner. place: to the right and up; width: half of the image's extent there, not
+   * positive behind the emitter; tooNear: true if the corner lies in front of the image's near
+   * plane.
    */
   void Add(const glm::dvec2& place, const glm::dvec2& width, bool tooNear)
   {
@@ -27,8 +29,9 @@ public:
   }
 
   /**
-   * Whether an image of so many texels along its edges can hold anything of it: not all corners lie
-   * on one outer side, and it is not so small that it lies between the texels' centres.
+   * Returns true if an image of this many texels along its edges can hold any of the box: not all
+   * corners lie on one outer side, and the box is not so small that it lies between the texels'
+   * centres.
    */
   bool IsHeld(const glm::dvec2& texels) const
   {
@@ -36,8 +39,10 @@ public:
       (!this->Ahead || HasTexelCenter(this->Lower, this->Upper, texels));
   }
 
-  /** Whether there is a texel's centre between two corners of a rectangle, from -1 to 1, of an
-   * image of so many texels along its edges. */
+  /**
+   * Returns true if a texel's centre lies between two corners of a rectangle, from -1 to 1, of an
+   * image of this many texels along its edges.
+   */
   static bool HasTexelCenter(
     const glm::dvec2& lower, const glm::dvec2& upper, const glm::dvec2& texels)
   {
@@ -49,7 +54,7 @@ public:
   }
 
 private:
-  unsigned int OutsideAll = 0x1f; // sides beyond which all corners are
+  unsigned int OutsideAll = 0x1f; // outer sides on which all corners lie
   bool Ahead = true;
   glm::dvec2 Lower{ std::numeric_limits<double>::infinity() };
   glm::dvec2 Upper{ -std::numeric_limits<double>::infinity() };

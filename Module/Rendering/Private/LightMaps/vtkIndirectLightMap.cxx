@@ -20,12 +20,12 @@ glm::dvec3 Corner(const double bounds[6], int i)
   return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
 }
 
-// A face aimed at the scene takes the place of a light's own faces where it is at most this share
-// as wide: twice the texels on the scene, or more.
+// A face aimed at the scene replaces a light's own faces if it is at most this share as wide: then
+// the scene gets twice the texels, or more.
 constexpr double AimedShare = 0.5;
 
-// Tangent of the half angle in which a positional light sees the sphere around all casters, and the
-// direction there; infinite from within the sphere.
+// Finds the direction to the sphere around all casters, and returns the tangent of the half angle
+// in which a positional light sees it; infinity from within the sphere.
 double AimAtCasters(const vtkIndirectFrame& frame, const vtkIndirectLight& light, glm::dvec3& aim)
 {
   glm::dvec3 lower(VTK_DOUBLE_MAX);
@@ -42,7 +42,7 @@ double AimAtCasters(const vtkIndirectFrame& frame, const vtkIndirectLight& light
   }
   const glm::dvec3 toCentre = 0.5 * (lower + upper) - light.PositionWC;
   const double distance = glm::length(toCentre);
-  // A margin keeps what touches the sphere from falling on the map's edge.
+  // A margin keeps surfaces that touch the sphere off the map's edge.
   const double radius = 0.505 * glm::length(upper - lower);
   if (!(distance > radius))
   {
@@ -52,7 +52,7 @@ double AimAtCasters(const vtkIndirectFrame& frame, const vtkIndirectLight& light
   return radius / std::sqrt((distance - radius) * (distance + radius));
 }
 
-// Any frame whose -z axis is the direction; the least component makes the most robust cross
+// Makes a frame whose -z axis is the direction; the smallest component makes the most robust cross
 // product.
 glm::dmat3 FrameAlong(const glm::dvec3& direction)
 {
@@ -100,7 +100,7 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
   const double tangent = AimAtCasters(frame, light, aim);
   const bool aimed = tangent <= AimedShare * cone;
 
-  // A point light's faces stay along the world's axes, so that they do not turn with anything.
+  // A point light's faces stay along the world's axes, so that they never turn.
   const glm::dmat3 rotation = aimed ? FrameAlong(aim)
     : omnidirectional               ? glm::dmat3(1.0)
                                     : FrameAlong(light.DirectionWC);
@@ -127,7 +127,7 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
   {
     this->Projection = VTKI_MAP_PARALLEL;
     this->NumberOfFaces = 1;
-    // Centre the map on the casters; a margin keeps the outermost from falling on its edge.
+    // Centres the map on the casters; a margin keeps the outermost off its edge.
     const glm::dvec3 centre = 0.5 * (lower + upper);
     const glm::dvec3 half = 0.5 * (upper - lower);
     constexpr double margin = 1.01;
@@ -144,7 +144,7 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
   {
     const bool single = narrow || aimed;
     this->Projection = single ? VTKI_MAP_SINGLE : VTKI_MAP_FACES;
-    // No face looks backward from a spot of less than 90 degrees.
+    // A spot of less than 90 degrees has no face that looks backward.
     this->NumberOfFaces = single ? 1 : (omnidirectional ? 6 : 5);
     this->HalfWidth = aimed ? tangent : cone;
     const glm::dvec3 outside = glm::max(glm::max(lower, -upper), glm::dvec3(0.0));
@@ -156,10 +156,10 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
     else
     {
       this->Far = std::max({ -lower.x, -lower.y, -lower.z, upper.x, upper.y, upper.z });
-      // The nearest that any face may find a caster along its own axis.
+      // The nearest depth at which any face may find a caster along its own axis.
       this->Near = std::max({ outside.x, outside.y, outside.z });
     }
-    // Casters that all lie behind a spot leave its map empty; any range will do.
+    // If all casters lie behind a spot its map is empty, and any range will do.
     this->Far = this->Far > 0.0 ? 1.001 * this->Far : 1.0;
     this->Near =
       std::min(std::max(0.999 * this->Near, NearestFraction * this->Far), 0.5 * this->Far);
@@ -185,13 +185,13 @@ vtkOpenGLCamera* vtkIndirectLightMap::GetCamera(int face, bool eyeIsParallel)
   const glm::dmat3 faceToWorld =
     glm::dmat3(this->LightToWorld) * glm::transpose(this->GetFaceRotation(face));
   const glm::dvec3 position(this->LightToWorld[3]);
-  // VTK keeps the direction as a difference of points: far from the origin it needs a long one.
+  // VTK stores the direction as a difference of points: far from the origin it needs a long one.
   const glm::dvec3 focal = position - faceToWorld[2] * (this->Far / this->SceneScale);
   camera->SetPosition(position.x, position.y, position.z);
   camera->SetFocalPoint(focal.x, focal.y, focal.z);
   camera->SetViewUp(faceToWorld[1].x, faceToWorld[1].y, faceToWorld[1].z);
   // Mappers put this flag into the key of their shader source: a map that changed it would rebuild
-  // every actor's source twice a frame. The projection itself is given explicitly below.
+  // every actor's source twice a frame. The projection itself is set below.
   camera->SetParallelProjection(eyeIsParallel ? 1 : 0);
 
   const double n = this->Near / this->SceneScale;

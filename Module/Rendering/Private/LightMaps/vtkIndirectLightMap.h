@@ -3,7 +3,7 @@
 #ifndef vtkIndirectLightMap_h
 #define vtkIndirectLightMap_h
 
-#include "Capture/vtkIndirectShadowMaps.h" // for what the capture reads
+#include "Capture/vtkIndirectShadowMaps.h" // for views and shadow maps
 #include "Frame/vtkIndirectFrame.h"        // for the light
 #include "vtkSmartPointer.h"               // for cameras
 
@@ -33,31 +33,37 @@ public:
   vtkOpenGLCamera* GetCamera(int face, bool eyeIsParallel);
 
   /**
-   * From view to clip coordinates, of a map or a tile. halfWidth: tangents, or for a parallel
-   * projection lengths in the unit of near and far. middle: of a perspective one that does not look
-   * straight ahead, tangents.
+   * Returns the matrix from view to clip coordinates, of a map or a tile. halfWidth: tangents, or
+   * for a parallel projection lengths in the unit of near and far. middle: tangents, of a
+   * perspective projection that does not look straight ahead.
    */
   static glm::dmat4 MakeProjection(bool parallel, const glm::dvec2& halfWidth, double nearPlane,
     double farPlane, const glm::dvec2& middle = glm::dvec2(0.0));
-  /** Gives a camera that projection, whatever its flag ParallelProjection is. */
+  /** Gives a camera that projection, whatever its ParallelProjection flag is. */
   static void SetProjection(vtkOpenGLCamera* camera, const glm::dmat4& projection);
 
   /**
-   * Whether a face of so many texels along an edge can hold anything of what is within these
-   * bounds: they are in sight, and not so small that they lie between the texels' centres.
+   * Returns true if a face of this many texels along an edge can hold anything within these bounds:
+   * they are in sight, and not so small that they lie between the texels' centres.
    */
   bool CanHold(int face, const double bounds[6], int texels) const;
 
   ///@{
-  /** What the capture reads to draw into a map of so many texels, and to look shadows up in it. */
+  /**
+   * Return the data by which the capture draws into a map of this many texels, and looks up shadows
+   * in it.
+   */
   vtkIndirectMapView GetView(int texels) const;
   vtkIndirectShadowMap GetShadowMap() const;
   ///@}
 
-  /** A texel's width across the light, in world units, at a place, of so many along an edge. */
+  /**
+   * Returns a texel's width across the light, in world units, at a place, for this many texels
+   * along an edge.
+   */
   double FindTexelAt(const glm::dvec3& place, int texels) const;
 
-  /** Appends the inputs of the map's image, besides the casters and the resolution. */
+  /** Appends the inputs of the map's image, except the casters and the resolution. */
   void AppendTo(vtkIndirectKey& key) const;
 
   vtkIndirectLight Light;

@@ -31,7 +31,7 @@ const vtkIndirectChannel Channels[] = {
     "face view", "1, 1, scene units" },
   { "rsm.slope", "vtkiMapSlope", "slope of depth over a texel's width", GL_RG16F, "face view",
     "1" },
-  // Only where senders have lobes.
+  // This channel exists only if senders have lobes.
   { "rsm.specular", "vtkiMapSpecular", "specular reflectance, power of the lobe or -roughness",
     GL_RGBA16F, "-", "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
@@ -40,13 +40,13 @@ const vtkIndirectChannel Channels[] = {
 constexpr int SlopeChannel = 2;
 constexpr int ChannelsOfDiffuse = 3;
 
-// Texels of all maps together, of about 40 bytes with shadows: 1.3 GB. A light that is alone has as
-// many as the user asks for.
+// Number of texels of all maps together, of about 40 bytes each with shadows: 1.3 GB. The map of a
+// single light has as many texels as the user asks for.
 constexpr double MostTexelsOfAll = 32.0 * 1024.0 * 1024.0;
 constexpr int MostFacesOfLight = 6;
 constexpr int LeastTexels = 16;
 
-// As many as are asked for, or a half, a quarter and so on where there are many layers.
+// Returns the wanted resolution, or a half, a quarter and so on if there are many layers.
 int FindTexels(int resolution, int layers)
 {
   int texels = resolution;

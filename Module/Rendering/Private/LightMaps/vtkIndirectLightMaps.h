@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The maps of a frame's lights: layers of array textures, as vtkReflectiveShadowMapPass says, and a
-// depth array for percentage-closer shadow look-ups.
+// The maps of a frame's lights: layers of array textures, as documented in
+// vtkReflectiveShadowMapPass, and a depth array for percentage-closer shadow look-ups.
 //
-// A face is drawn again only when its light's place, anything that it can see or the resolution has
-// changed; strength, falloff and exponent redraw nothing.
+// A face is drawn again only when the light's place, anything that the face can see or the
+// resolution has changed. A light's strength, falloff and exponent redraw nothing.
 #ifndef vtkIndirectLightMaps_h
 #define vtkIndirectLightMaps_h
 
@@ -34,13 +34,13 @@ struct vtkIndirectShadowMaps;
 class vtkIndirectLightMaps
 {
 public:
-  /** caller: the object whose error it is when lights are too many; null: the frame's window. */
+  /** caller: the object that reports the error of too many lights; null: the frame's window. */
   explicit vtkIndirectLightMaps(vtkObject* caller = nullptr);
   ~vtkIndirectLightMaps();
   vtkIndirectLightMaps(const vtkIndirectLightMaps&) = delete;
   void operator=(const vtkIndirectLightMaps&) = delete;
 
-  /** The maps that a public pass holds. */
+  /** Returns the maps that a public pass holds. */
   static vtkIndirectLightMaps& Get(const vtkReflectiveShadowMapPass* pass);
 
   /**
@@ -49,25 +49,27 @@ public:
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     vtkSurfaceCapturePass* capture, int resolution);
-  /** From now on there are no maps. */
+  /** Removes all maps. */
   void Clear() { this->NumberOfMaps = 0; }
 
   /**
-   * Chooses whether the next maps hold what senders reflect specularly. The capture must write it.
-   * Default off.
+   * Chooses whether the next maps hold the specular reflections of senders. The capture must write
+   * them. Default off.
    */
   void SetSpecular(bool specular) { this->Specular = specular; }
-  /** Tells whether the maps hold it, so that shaders are built with VTKI_LOBES. */
+  /** Returns true if the maps hold them, so that shaders are built with VTKI_LOBES. */
   bool HasSpecular() const;
 
   int GetNumberOfMaps() const { return this->NumberOfMaps; }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
   const vtkIndirectLightMap& GetMap(int i) const { return *this->Maps[i]; }
-  /** Faces since construction. */
+  /** Returns the number of faces drawn since construction. */
   vtkIdType GetNumberOfFacesDrawn() const { return this->NumberOfFacesDrawn; }
-  /** Texels along an edge in the last frame: the resolution, or less where lights are many. */
+  /**
+   * Returns the texels along an edge in the last frame: the resolution, or less with many lights.
+   */
   int GetTexels() const { return this->Texels; }
-  /** Grows whenever the content of a map, or the table below, has changed. */
+  /** Grows whenever the content of a map, or the table below, changes. */
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
 
   /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
@@ -77,10 +79,10 @@ public:
   void Deactivate() const;
 
   size_t GetBytes() const;
-  /** Says what the maps are and the memory that they take. */
+  /** Adds the maps and their memory to the report. */
   void AddToReport(vtkIndirectReport& report) const;
   void Print(ostream& os, vtkIndent indent) const;
-  /** Gives back what it holds in the window's context; without a window nothing happens. */
+  /** Releases all resources in the window's context; does nothing without a window. */
   void Release(vtkWindow* window);
 
 private:
@@ -90,22 +92,22 @@ private:
     vtkIndirectLightMap& map, int face, const std::vector<const vtkIndirectCaster*>& casters);
 
   vtkObject* Caller;
-  int Resolution = 0;    // of the last frame, as it was asked for
+  int Resolution = 0;    // resolution that the last frame asked for
   int Texels = 0;        // of the last frame
-  int LightsTooMany = 0; // of the last frame, which have no map
+  int LightsTooMany = 0; // lights of the last frame without a map
   bool Specular = false;
   vtkIdType NumberOfFacesDrawn = 0;
   vtkTimeStamp ContentTime;
-  // To bind textures changes the objects that stand for them.
+  // Binding textures changes the objects that hold them.
   mutable vtkIndirectLayeredTarget Target;
-  mutable vtkIndirectShadowRows Rows; // of the target's depths, for shadow look-ups
+  mutable vtkIndirectShadowRows Rows; // rows of the target's depths, for shadow look-ups
   std::vector<std::unique_ptr<vtkIndirectLightMap>> Maps;
   int NumberOfMaps = 0;
   int NumberOfLayers = 0;
   std::vector<vtkIndirectKey> Faces; // the inputs of each layer's image; empty: not drawn
   std::vector<float> Table;
   vtkSmartPointer<vtkTextureObject> TableTexture;
-  vtkSmartPointer<vtkTextureObject> FresnelTexture; // where senders have lobes
+  vtkSmartPointer<vtkTextureObject> FresnelTexture; // null unless senders have lobes
   vtkSmartPointer<vtkIndirectContextGuard> Guard;
 };
 

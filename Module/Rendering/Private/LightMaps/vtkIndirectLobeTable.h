@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Linearly transformed cosines for the specular lobe of VTK's PBR: roughness, view, entry. The data
-// file holds a roughness per line, and Testing/Reference/fit_lobes.py, which says what the numbers
-// are, writes it.
+// file holds a roughness per line; Testing/Reference/fit_lobes.py writes it and explains the
+// numbers.
 #ifndef vtkIndirectLobeTable_h
 #define vtkIndirectLobeTable_h
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depths of light maps as shadow look-ups read them: three neighbours of a row in one texel, and
+// Depths of light maps in the form of shadow look-ups: a texel holds three neighbours of a row, and
 // the slope of the middle one's surface. Nine depths take three fetches; a fetch of four channels
-// costs little more than one of one.
+// costs little more than a fetch of one.
 #ifndef vtkIndirectShadowRows_h
 #define vtkIndirectShadowRows_h
 
@@ -22,11 +22,11 @@ public:
   vtkIndirectShadowRows();
   ~vtkIndirectShadowRows();
 
-  /** Says that a layer of the depths has been drawn anew. */
+  /** Marks a layer of the depths as drawn again. */
   void Forget(int layer);
 
   /**
-   * Brings the first layers up to date. unit, slopes: where the depths and their slopes are bound.
+   * Brings the first layers up to date. unit, slopes: texture units of the depths and their slopes.
    * Returns false, after an error, when OpenGL refuses.
    */
   bool Update(vtkOpenGLRenderWindow* window, int unit, int slopes, int texels, int layers);

@@ -43,8 +43,8 @@ bool vtkIndirectBounceLight::HasMore(const Input& input) const
 }
 
 //------------------------------------------------------------------------------
-// Brings the surfaces up to date where rays of samplers or of the estimator meet them, and returns
-// the spheres that mappers draw; null where no stage asks for spheres.
+// Brings the surfaces up to date if rays of samplers or of the estimator meet them. Returns the
+// spheres that mappers draw; null if no stage needs spheres.
 const vtkIndirectBlockingSpheres* vtkIndirectBounceLight::UpdateSurfaces(
   const Input& input, const vtkIndirectVisibilityNeeds& needs)
 {

@@ -19,12 +19,12 @@ class vtkIndirectBounceLight : public vtkIndirectFrameLight
 public:
   explicit vtkIndirectBounceLight(vtkIndirectFrameSamplers& samplers);
 
-  /** Sets the estimator, and the sampler that the user has set, whose changes make lights stale. */
+  /** Sets the estimator, and the user's sampler, whose changes make lights stale. */
   void SetEstimator(vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users);
 
   const char* GetName() const override { return "indirect light"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
-  /** The first sum of a frame: no other sum leaves maps to it. */
+  /** This is the first light of a frame, so no earlier light leaves maps to it. */
   int CountMapsNeeded(const Input&) const override { return 0; }
   bool Update(const Input& input, int mostMaps) override;
   size_t GetNumberOfTilesDrawn() const override { return this->Visibility.GetNumberOfTilesDrawn(); }
@@ -49,8 +49,8 @@ private:
   vtkIndirectSurfaces Surfaces;       // for samplers and visibility
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkVirtualLightSampler* Users = nullptr; // valid while a frame is drawn
-  vtkMTimeType EstimateTime = 0;           // of the estimator, after the last sum
-  double Error = -1.0;                     // of the last result
+  vtkMTimeType EstimateTime = 0;           // time of the estimator, after the last sum
+  double Error = -1.0;                     // error of the last result
 };
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The light from the sky where an estimator computes it, without depth maps: the frame's own, or
-// spheres that stand for moving props beside it.
+// The light from the sky if an estimator computes it, without depth maps: the frame's own
+// estimator, or spheres that represent moving props beside it.
 #ifndef vtkIndirectEstimatorSky_h
 #define vtkIndirectEstimatorSky_h
 
@@ -11,7 +11,7 @@
 class vtkIndirectEstimatorSky : public vtkIndirectFrameLight
 {
 public:
-  /** Sets the estimator; alone: it is the frame's estimator, and there is no other light of it. */
+  /** Sets the estimator; alone: it is the frame's estimator, and gives no other light. */
   void SetEstimator(vtkIndirectEstimatorPass* estimator, bool alone);
 
   const char* GetName() const override { return "light from the sky"; }
@@ -28,7 +28,7 @@ public:
 private:
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   bool Alone = false;
-  vtkMTimeType EstimateTime = 0; // of the estimator, after the last sum
+  vtkMTimeType EstimateTime = 0; // time of the estimator, after the last sum
 };
 
 #endif

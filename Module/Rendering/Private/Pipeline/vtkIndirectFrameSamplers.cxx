@@ -15,7 +15,8 @@
 
 namespace
 {
-// Later bounces are made of these. See Documentation/methods/random-walk.md.
+// Later bounces are made of this many vertices and lights. See
+// Documentation/methods/random-walk.md.
 constexpr int VerticesOfLaterBounces = 32768;
 constexpr int LightsOfLaterBounces = 64;
 }
@@ -52,7 +53,7 @@ void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIn
   const vtkIndirectSampler::Pointer& own)
 {
   this->Samplers.clear();
-  // Another window may hold the lights of the user's samplers.
+  // The lights of the user's samplers may belong to another window.
   if (own)
   {
     own->HoldContext(frame.Window);

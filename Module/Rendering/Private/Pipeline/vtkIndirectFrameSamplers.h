@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where a frame's virtual lights come from: the samplers that its plan asks for, those that the
-// pipeline owns and those that the user has set, and the lights of all of them.
+// The sources of a frame's virtual lights: the samplers that its plan needs, which belong to the
+// pipeline or to the user, and the lights of all of them.
 #ifndef vtkIndirectFrameSamplers_h
 #define vtkIndirectFrameSamplers_h
 
@@ -35,48 +35,53 @@ class vtkIndirectFrameSamplers
 public:
   vtkIndirectFrameSamplers();
 
-  /** Where the user has set none. */
+  /** The sampler if the user has set none. */
   vtkNew<vtkLightTreeSampler> Default;
-  /** Further samplers, whose lights are summed besides those of the frame's sampler. */
+  /** Further samplers, whose lights are summed in addition to those of the frame's sampler. */
   std::vector<vtkSmartPointer<vtkVirtualLightSampler>> Others;
 
-  /** Tells whether one of the further samplers walks. */
+  /** Returns true if one of the further samplers walks. */
   bool HasOtherWalk() const;
 
   /**
-   * The maps of what reflects light of the sky and of area lights, where the plan has that; source
-   * tells when emitters have to be made anew. Returns false, after an error, when OpenGL refuses.
+   * Brings the maps of surfaces up to date that reflect light of the sky and of area lights, if the
+   * plan has such light. source: the inputs of the emitters, which are made again when it changes.
+   * Returns false, after an error, when OpenGL refuses.
    */
   bool UpdateSenderMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     vtkSurfaceCapturePass* capture, const vtkIndirectKey& source,
     const std::function<vtkIndirectEmitters::List()>& makeEmitters);
   void ReleaseSenderMaps(vtkWindow* window) { this->Senders->Release(window); }
 
-  /** Chooses the samplers of the frame; own: the sampler of its lights, null where the estimator
-   * asks for none. */
+  /**
+   * Chooses the samplers of the frame; own: the sampler of its lights, null if the estimator needs
+   * none.
+   */
   void Choose(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     const vtkIndirectSampler::Pointer& own);
 
-  /** Tells whether a still frame of the same scene would have more lights than the last one. */
+  /** Returns true if a still frame of the same scene would have more lights than the last frame. */
   bool HasMore() const;
-  /** Tells whether rays look for the scene's surfaces. */
+  /** Returns true if rays meet the scene's surfaces. */
   bool Walk() const;
   /**
-   * Brings the samplers' lights up to date. Returns false, after an error, when a sampler cannot.
-   * surfaces: up to date where samplers Walk.
+   * Brings the samplers' lights up to date. Returns false, after an error, when a sampler fails.
+   * surfaces: up to date if Walk is true.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     const vtkIndirectLightMaps& maps, const vtkIndirectGeometryBuffer& geometry,
     const vtkIndirectSurfaces& surfaces);
-  /** The lights, null where the frame has no sampler. */
+  /** Returns the lights, null if the frame has no sampler. */
   const vtkIndirectVirtualLights* GetLights() const
   {
     return this->Samplers.empty() ? nullptr : &this->Lights;
   }
 
-  /** Appends the inputs of the lights, besides the maps. */
+  /** Appends the inputs of the lights, except the maps. */
   void AppendTo(vtkIndirectKey& key) const;
-  /** Copies `lights`, `branches` or `lobes`; why not, or empty. */
+  /**
+   * Copies `lights`, `branches` or `lobes`. Returns the reason if it cannot, or an empty string.
+   */
   std::string Copy(const vtkIndirectFrame& frame, const std::string& name, vtkImageData* image);
   static bool IsTable(const std::string& name);
 
@@ -88,12 +93,12 @@ private:
   template <typename SamplerType>
   using Own = const std::shared_ptr<SamplerType>;
   Own<vtkIndirectHeadlightSampler> Headlight = std::make_shared<vtkIndirectHeadlightSampler>();
-  // The surfaces that the sky and area lights shine on, and bodies of glass.
+  // Samplers of the surfaces that the sky and area lights shine on, and of bodies of glass.
   Own<vtkIndirectSenderSampler> Senders = std::make_shared<vtkIndirectSenderSampler>();
   Own<vtkIndirectRefractionSampler> Refraction = std::make_shared<vtkIndirectRefractionSampler>();
   vtkNew<vtkRandomWalkLightSampler> LaterBounces;
-  std::vector<vtkIndirectSampler::Pointer> Samplers; // of the frame
-  bool SendersAreWalked = false; // later bounces are among what the sampler's lights are of
+  std::vector<vtkIndirectSampler::Pointer> Samplers; // samplers of the frame
+  bool SendersAreWalked = false; // later bounces are among the sources of the sampler's lights
   vtkIndirectVirtualLights Lights;
 };
 

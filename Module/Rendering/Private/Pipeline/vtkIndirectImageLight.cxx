@@ -25,8 +25,8 @@ vtkEnvironmentLight* vtkIndirectImageLight::Find(vtkRenderer* renderer)
     return nullptr;
   }
   this->Light->SetTexture(texture);
-  // VTK's shaders of PBR look the texture's middle up to the right, a quarter of a turn from where
-  // its skybox has it.
+  // VTK's shaders of PBR look up the texture's middle to the right, a quarter of a turn from its
+  // place on VTK's skybox.
   double front[3];
   vtkMath::Cross(renderer->GetEnvironmentRight(), renderer->GetEnvironmentUp(), front);
   this->Light->SetUp(renderer->GetEnvironmentUp());

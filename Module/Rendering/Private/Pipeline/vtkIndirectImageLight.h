@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The texture that a renderer lights physically based props with, as light from all around.
+// The texture that a renderer lights physically based props with, as an environment light.
 #ifndef vtkIndirectImageLight_h
 #define vtkIndirectImageLight_h
 
@@ -11,7 +11,7 @@ class vtkRenderer;
 class vtkIndirectImageLight
 {
 public:
-  /** As the renderer has it now; null where there is no texture that can be read. */
+  /** Returns the light of the renderer's current texture; null if there is no readable texture. */
   vtkEnvironmentLight* Find(vtkRenderer* renderer);
 
 private:

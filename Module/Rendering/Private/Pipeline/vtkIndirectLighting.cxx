@@ -24,15 +24,15 @@
 
 namespace
 {
-// Of the sky's image: a pixel is 2.8 degrees, a lobe's radiance is halved within 33.
+// Size of the sky's image: a pixel is 2.8 degrees, while a lobe's radiance is halved within 33.
 constexpr int Columns = 128;
 constexpr int Rows = 64;
 
 const char* const Titles[] = { "Scene", "Soft", "Full", "Gentle", "Studio" };
 const char* const Names[] = { "scene", "soft", "full", "gentle", "studio" };
 
-// The camera's axes in world coordinates, without whatever scales or shears them: right, up, to the
-// viewer. The world's where it has none.
+// Returns the camera's axes in world coordinates, without scaling and shear: right, up, to the
+// viewer. Returns the world's axes if the camera has none.
 glm::dmat3 FindAxes(vtkCamera* camera)
 {
   const glm::dmat3 axes =
@@ -108,7 +108,8 @@ void vtkIndirectLighting::Update(
 }
 
 //------------------------------------------------------------------------------
-// Empty unless all lights that are on are directional and follow the camera.
+// Collects the renderer's lamps. The list is empty unless all lights that are on are directional
+// and follow the camera.
 std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectLamps(vtkRenderer* renderer)
 {
   std::vector<vtkIndirectLamp> lamps;
@@ -130,14 +131,14 @@ std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectLamps(vtkRenderer* rend
     lamp.Color = light->GetIntensity() * glm::dvec3(color[0], color[1], color[2]);
     if (light->LightTypeIsCameraLight())
     {
-      // Given in the camera's own axes; it looks along -z.
+      // The light is given in the camera's own axes; the camera looks along -z.
       const double* p = light->GetPosition();
       const double* f = light->GetFocalPoint();
       const glm::dvec3 direction(p[0] - f[0], p[1] - f[1], p[2] - f[2]);
       const double length = glm::length(direction);
       lamp.Direction = length > 0.0 ? direction / length : lamp.Direction;
     }
-    // A negative light is none of a sky.
+    // Negative light cannot be in a sky.
     if (glm::all(glm::greaterThanEqual(lamp.Color, glm::dvec3(0.0))) &&
       lamp.Color != glm::dvec3(0.0))
     {
@@ -148,8 +149,8 @@ std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectLamps(vtkRenderer* rend
 }
 
 //------------------------------------------------------------------------------
-// The albedo of the lightest of the actors that have one colour. Data and textures have colours of
-// all kinds, which bounce less than their brightest.
+// Finds the albedo of the lightest actor of one colour. Data and textures have many colours, which
+// together reflect less than the brightest one.
 vtkIndirectRigAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
 {
   vtkIndirectRigAlbedo albedo;
@@ -189,7 +190,8 @@ void vtkIndirectLighting::SetRig(
   this->RigKey = std::move(key);
   this->Rig = vtkIndirectLightRig::Make(preset, lamps, albedo);
 
-  // As vtkEnvironmentLight has it: the middle ahead, which is -z; bottom row first.
+  // The image is laid out for vtkEnvironmentLight: the middle is ahead, which is -z; the bottom row
+  // is first.
   vtkNew<vtkImageData> image;
   image->SetDimensions(Columns, Rows, 1);
   image->AllocateScalars(VTK_FLOAT, 3);
@@ -247,7 +249,7 @@ void vtkIndirectLighting::Turn(vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   const glm::dmat3 axes = FindAxes(camera);
-  // Nothing turns a sky that is the same all around.
+  // Turning does not change a uniform sky.
   if (!this->Rig.Lobes.empty())
   {
     this->Sky->SetRight(axes[0].x, axes[0].y, axes[0].z);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lights a frame where a preset is chosen: lights that take the place of the renderer's, and a
-// sky, made from the preset, the camera and the renderer's lights. A camera that turns changes the
-// sky's orientation alone.
+// The lights of a frame with a preset: lights that replace the renderer's own, and a sky, made from
+// the preset, the camera and the renderer's lights. A camera that turns changes the sky's
+// orientation alone.
 #ifndef vtkIndirectLighting_h
 #define vtkIndirectLighting_h
 
@@ -27,17 +27,17 @@ public:
   vtkIndirectLighting(const vtkIndirectLighting&) = delete;
   void operator=(const vtkIndirectLighting&) = delete;
 
-  /** Chooses for a frame; the renderer's lights are up to date, and only read. */
+  /** Chooses the lights of a frame. The renderer's lights are up to date, and only read. */
   void Update(
     vtkRenderer* renderer, const vtkIndirectSettings& settings, vtkEnvironmentLight* users);
 
-  /** Null: the renderer's own. */
+  /** Returns the replacing lights; null: the renderer's own are used. */
   vtkLightCollection* GetLights() const;
   vtkEnvironmentLight* GetEnvironment() const { return this->Environment; }
 
   void AddToReport(vtkIndirectReport& report) const;
 
-  /** As it is printed, of a vtkIndirectLightingType. */
+  /** Returns the title of a vtkIndirectLightingType for the report and printing. */
   static const char* GetTitle(int preset);
 
 private:
@@ -48,7 +48,7 @@ private:
   void AddLight(const vtkIndirectLamp& lamp, bool fill);
   void Turn(vtkRenderer* renderer);
 
-  int Preset; // of the last frame; the renderer's lights while it is inactive
+  int Preset; // preset of the last frame
   bool Inactive = false;
   int NumberOfReplaced = 0;
   vtkIndirectLightRig Rig;
@@ -56,7 +56,7 @@ private:
   vtkEnvironmentLight* Environment = nullptr;
   vtkNew<vtkEnvironmentLight> Sky;
   vtkNew<vtkLightCollection> Lights;
-  std::vector<glm::dvec3> Directions; // to these, in the camera's axes
+  std::vector<glm::dvec3> Directions; // directions to the lights, in the camera's axes
 };
 
 #endif

@@ -21,7 +21,7 @@
 
 namespace
 {
-// What falls on a surface that all of an environment's light reaches at a right angle.
+// Returns the irradiance of a surface that receives all of an environment's light at a right angle.
 double SumIrradiance(vtkEnvironmentLight* environment)
 {
   glm::dvec3 sum(0.0);
@@ -95,8 +95,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
-  // Maps of the scene as it was would show shadows that are gone when the sky comes from them
-  // again.
+  // Old maps are released: they would show outdated shadows when the sky comes from maps again.
   const bool sky = circumstances.Environment && request.Settings.IndirectScale > 0.0;
   if (!sky || this->Plan.SkySource != vtkIndirectPlan::SKY_BY_MAPS)
   {
@@ -106,7 +105,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   {
     this->Parts[SKY].Key.Clear();
   }
-  // What moves stops and goes on; programs for it take seconds to build.
+  // Spheres are kept while they may move again, because building their programs takes seconds.
   if (!sky || !this->SphereMotion.HasMoved())
   {
     this->Spheres->ReleaseGraphicsResources(this->Frame.Window);
@@ -131,7 +130,7 @@ void vtkIndirectPipeline::ReleaseSkyMaps(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-// The maps come first because visibility belongs to each light: it goes into VTK's own shading.
+// The maps come first because VTK's own shading needs the visibility of each light.
 bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& request)
 {
   if (!this->Plan.Antialiasing)
@@ -250,7 +249,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
       part.Light->Rest(input);
       continue;
     }
-    // The lights that follow get half of the frame's depth maps at most.
+    // Lights that follow get at most half of the frame's depth maps.
     int others = 0;
     for (int k = i + 1; k < NUMBER_OF_PARTS; ++k)
     {
@@ -273,7 +272,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
 }
 
 //------------------------------------------------------------------------------
-// Tells each light of the plan what it consists of in this frame.
+// Sets the sources of each light of the plan for this frame.
 void vtkIndirectPipeline::ChooseLights(const Request& request)
 {
   vtkIndirectSum& own = vtkIndirectSum::Get(this->Estimator);
@@ -314,7 +313,7 @@ vtkIndirectKey vtkIndirectPipeline::MakeFrameKey() const
 {
   vtkIndirectKey key = this->Plan.MakeKey(this->Frame);
   this->Levels.AppendTo(key);
-  // Receivers that a lamp hides get nothing.
+  // A lamp changes the receivers that it hides from the eye.
   if (this->Plan.VisibleAreaLights > 0)
   {
     this->AppendAreaLights(key);
@@ -323,7 +322,7 @@ vtkIndirectKey vtkIndirectPipeline::MakeFrameKey() const
 }
 
 //------------------------------------------------------------------------------
-// Returns whether the part has a result of this frame.
+// Returns true if the part has a result of this frame.
 bool vtkIndirectPipeline::UpdatePart(
   Part& part, const vtkIndirectFrameLight::Input& input, int mostMaps)
 {
@@ -366,7 +365,7 @@ bool vtkIndirectPipeline::UpdatePart(
 }
 
 //------------------------------------------------------------------------------
-// The estimator that computes the sky's light without maps; null where maps are looked up.
+// Returns the estimator that computes the sky's light without maps; null if maps are looked up.
 vtkIndirectEstimatorPass* vtkIndirectPipeline::GetSkyEstimator() const
 {
   return this->Plan.SkySource == vtkIndirectPlan::SKY_BY_SPHERES ? this->Spheres
@@ -384,7 +383,8 @@ void vtkIndirectPipeline::AppendAreaLights(vtkIndirectKey& key) const
 }
 
 //------------------------------------------------------------------------------
-// A part of the last frame; null where the frame has none, or another pass has used its images.
+// Returns a part of the last frame; null if the frame has none, or another pass has used its
+// images.
 const vtkIndirectPipeline::Part* vtkIndirectPipeline::GetPart(PartType type) const
 {
   const Part& part = this->Parts[type];
@@ -392,9 +392,9 @@ const vtkIndirectPipeline::Part* vtkIndirectPipeline::GetPart(PartType type) con
 }
 
 //------------------------------------------------------------------------------
-// Where all light comes from the sky a receiver sees radiances of the sky and of surfaces, and as
-// no surface reflects more than it gets none of these is greater than the sky's greatest. Lamps
-// have no radiance that bounds what they give.
+// Returns a bound of the irradiance. If all light comes from the sky, a receiver sees radiances of
+// the sky and of surfaces. No surface reflects more than it receives, so none of these radiances
+// exceeds the sky's greatest. Lamps have no radiance that bounds their irradiance.
 glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
 {
   const std::vector<vtkIndirectLight>& lights = this->Frame.Lights;
@@ -402,7 +402,7 @@ glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
     std::any_of(lights.begin(), lights.end(),
       [](const vtkIndirectLight& light) { return light.Color != glm::dvec3(0.0); });
   glm::dvec3 greatest(1e30);
-  // A sky that nothing hides is seen through surfaces: together there is more.
+  // The bound fails for an unoccluded sky, which shines through surfaces and adds to their light.
   if (this->Parts[SKY].IsThere && this->Plan.SkyIsShadowed && this->Environment && !lamps)
   {
     this->Environment->GetGreatestRadiance(&greatest[0]);

@@ -48,60 +48,58 @@ class vtkRenderPass;
 class vtkIndirectPipeline
 {
 public:
-  /** What the pass asks for. */
+  /** The settings and objects that the pass hands to the pipeline for a frame. */
   struct Request
   {
     vtkIndirectSettings Settings;
     vtkIndirectCircumstances Circumstances;
     vtkIndirectEstimatorPass* Estimator = nullptr;
-    bool HoldEstimator = true; // else it may go at any time
+    bool HoldEstimator = true; // else the estimator may be deleted at any time
     vtkVirtualLightSampler* Sampler = nullptr;
     vtkRenderPass* Delegate = nullptr;
     vtkEnvironmentLight* Environment = nullptr;
-    /** The renderer's own lights where others have taken their place; else null. */
+    /** The renderer's own lights if other lights replace them; else null. */
     vtkLightCollection* ReplacedLights = nullptr;
-    bool DepthOfSamples = false; // props may be drawn once more, for their depth
-    bool DepthCleared = false;   // of the framebuffer that is bound: nothing is drawn there yet
+    bool DepthOfSamples = false; // props may be drawn once more, for the depth of samples
+    bool DepthCleared = false;   // the bound framebuffer's depth is clear: nothing is drawn yet
   };
 
   vtkIndirectPipeline();
 
-  /** Reads the scene and plans the frame; nothing of the last one can be read from here on. */
+  /** Reads the scene and plans the frame. After that no data of the last frame can be read. */
   void Prepare(const vtkRenderState* s, const Request& request);
   const vtkIndirectPlan& GetPlan() const { return this->Plan; }
 
   /**
-   * Draws the surfaces: the lights' maps, then what the eye sees. Returns false where OpenGL
-   * refuses, or where the delegate has drawn into a framebuffer of its own: IsRedirected.
+   * Draws the surfaces: the lights' maps, then what the eye sees. Returns false if OpenGL refuses,
+   * or if the delegate has drawn into a framebuffer of its own: IsRedirected.
    */
   bool DrawSurfaces(const vtkRenderState* s, const Request& request);
   bool IsRedirected() const { return this->Capture->IsRedirected(); }
   int GetNumberOfRenderedProps() const { return this->Geometry.GetNumberOfRenderedProps(); }
 
-  /**
-   * Then the light, and the picture into the framebuffer that is bound.
-   */
+  /** Draws the light, and then the picture into the bound framebuffer. */
   void DrawLight(const Request& request);
   /** Shows a channel in place of the picture; false for one that the frame does not have. */
   bool ShowChannel(const std::string& name);
 
-  /** The last frame has no buffers, and why. */
+  /** Marks the last frame as one without buffers, for this reason. */
   void Forget(const std::string& why);
   bool HasBuffers() const { return this->BuffersAreThere; }
   const std::string& GetWhyNoBuffers() const { return this->WhyNoBuffers; }
-  /** Whether the last frame's window is the renderer's still. */
+  /** Returns true if the last frame's window is still the renderer's. */
   bool IsInWindow() const;
-  /** Of the last frame; null before the first. */
+  /** Returns the estimator of the last frame; null before the first frame. */
   vtkIndirectEstimatorPass* GetEstimator() const { return this->Estimator; }
-  /** Copies a channel of the last frame; why not, or empty. */
+  /** Copies a channel of the last frame. Returns the reason if it cannot, or an empty string. */
   std::string CopyChannel(const std::string& name, vtkImageData* image);
 
-  /** What the last frame modelled and left out, and its sizes and counters. */
+  /** Adds what the last frame modelled and left out, its sizes and its counters to the report. */
   void AddToReport(vtkIndirectReport& report) const;
   void Release(vtkWindow* window);
 
   vtkIndirectStageTimer Timer;
-  vtkNew<vtkReflectiveShadowMapPass> MapsPass; // what the user sets of the lights' maps
+  vtkNew<vtkReflectiveShadowMapPass> MapsPass; // the user's settings of the lights' maps
   vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
   std::vector<vtkSmartPointer<vtkAreaLight>> AreaLights;
   vtkIndirectFrameSamplers Samplers;
@@ -112,12 +110,12 @@ private:
   struct Part
   {
     vtkIndirectFrameLight* Light = nullptr;
-    bool IsAsked = false; // by the plan
-    bool Waits = false;   // for its depth maps
+    bool IsAsked = false; // the plan needs it
+    bool Waits = false;   // it waits for its depth maps
     bool IsThere = false; // Result is of the last frame
     vtkIndirectEstimate Result;
-    vtkIndirectKey Key;    // the inputs of Result; empty where there is none
-    vtkIndirectKey Failed; // the inputs of an error: the light is asked for again when they change
+    vtkIndirectKey Key;    // the inputs of Result; empty if there is none
+    vtkIndirectKey Failed; // the inputs of an error: the light is tried again when they change
   };
   enum PartType
   {
@@ -142,13 +140,13 @@ private:
 
   vtkIndirectLightMaps& Maps = vtkIndirectLightMaps::Get(this->MapsPass);
   vtkNew<vtkSurfaceCapturePass> Capture;
-  vtkIndirectPenumbra Penumbra; // of the maps' lights
+  vtkIndirectPenumbra Penumbra; // penumbrae of the maps' lights
   vtkIndirectGeometryBuffer Geometry;
   vtkIndirectBounceLight Bounce{ Samplers };
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps;
-  vtkIndirectEstimatorSky EstimatorSky;     // in place of SkyMaps
-  vtkNew<vtkProxyAccumulationPass> Spheres; // an estimator for it
+  vtkIndirectEstimatorSky EstimatorSky;     // replaces SkyMaps
+  vtkNew<vtkProxyAccumulationPass> Spheres; // an estimator for EstimatorSky
   vtkIndirectSphereMotion SphereMotion;
   vtkIndirectAreaGather Area;
   vtkIndirectVisibleLamps VisibleLamps;
@@ -156,27 +154,27 @@ private:
   vtkIndirectComposite Composite;
   vtkIndirectAntialiasing Antialiasing;
 
-  // The last frame.
+  // Data of the last frame.
   vtkIndirectFrame Frame;
-  vtkIndirectRoom Room; // of its casters
+  vtkIndirectRoom Room; // room of the frame's casters
   vtkIndirectPlan Plan;
   vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
   vtkEnvironmentLight* Environment = nullptr;
-  std::vector<vtkSmartPointer<vtkAreaLight>> UsableAreaLights; // or off
+  std::vector<vtkSmartPointer<vtkAreaLight>> UsableAreaLights; // includes lights that are off
   bool BuffersAreThere = false;
   Part Parts[NUMBER_OF_PARTS];
   long long NumberOfEstimates = 0;
   std::string WhyNoBuffers = "no frame has been rendered yet";
-  // The estimator of the last frame: its buffers stay readable when the pass is given another one.
+  // The estimator of the last frame: its buffers stay readable when the pass gets another one.
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
-  vtkTimeStamp Identity;            // whose estimator it is
-  bool TargetIsClear = false;       // of what the frame is drawn into
-  bool DepthIsDrawn = false;        // into that, sample by sample
-  vtkIndirectReport::Entries Paths; // in force
+  vtkTimeStamp Identity;            // identifies this user of an estimator
+  bool TargetIsClear = false;       // the frame's target is clear
+  bool DepthIsDrawn = false;        // depth is drawn into the target, sample by sample
+  vtkIndirectReport::Entries Paths; // paths in use
 
   vtkIndirectKey FrameKey;     // the inputs of all light of the frame
-  vtkIndirectKey LastFrameKey; // the same of the frame before
+  vtkIndirectKey LastFrameKey; // key of the frame before
 };
 
 #endif

@@ -23,10 +23,10 @@ const char* const WhyItWaits = "MapsFirst: its depth maps are not all there yet"
 }
 
 //------------------------------------------------------------------------------
-// Maps hold all that casts shadows, however little of it the eye sees.
+// Reports maps with coarse texels. Maps hold all casters, however little of them the eye sees.
 void vtkIndirectPipeline::AddCoarseMapsToReport(vtkIndirectReport& report) const
 {
-  // Share of the height of the picture: wider edges of shadows are seen.
+  // Share of the picture's height: wider steps at the edges of shadows are visible.
   constexpr double coarse = 0.01;
   vtkCamera* camera = this->Renderer ? this->Renderer->GetActiveCamera() : nullptr;
   if (!camera || !this->Plan.Shadows)

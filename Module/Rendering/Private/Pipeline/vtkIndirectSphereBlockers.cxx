@@ -18,7 +18,7 @@ const vtkIndirectBlockingSpheres* vtkIndirectSphereBlockers::Update(
     spheres.emplace_back(sphere.Center, sphere.Radius);
     looks.push_back({ sphere.Albedo, sphere.PhysicallyBased });
   }
-  // A colour may have changed, or what is no sphere.
+  // A colour may have changed, or a prop that draws no spheres.
   if (spheres != this->Result.Spheres)
   {
     this->Result.Spheres = std::move(spheres);

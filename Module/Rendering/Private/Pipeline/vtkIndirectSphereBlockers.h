@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres between senders and receivers, where segments are followed through voxels, and for rays
-// that look for surfaces: what mappers draw as spheres, by the rule by which spheres take the place
-// of the sky's maps (vtkIndirectProxyScene). They cast shadows as any other caster does.
+// The spheres that mappers draw, as blockers where segments walk through voxels, and as surfaces
+// for rays. They are found by the rule by which spheres replace the sky's maps
+// (vtkIndirectProxyScene), and cast shadows as any other caster does.
 #ifndef vtkIndirectSphereBlockers_h
 #define vtkIndirectSphereBlockers_h
 
@@ -15,11 +15,11 @@ class vtkIndirectSphereBlockers
 {
 public:
   /**
-   * Those of a frame; collected anew where something may have changed. The result is valid up to
-   * the next call. caller: whose error it is when radii are negative or not finite.
+   * Returns the spheres of a frame, collected again if they may have changed. The result is valid
+   * up to the next call. caller: the object that reports the error of negative or non-finite radii.
    */
   const vtkIndirectBlockingSpheres* Update(const vtkIndirectFrame& frame, vtkObject* caller);
-  /** Nobody needs them. */
+  /** Drops the spheres; no stage needs them. */
   void Forget();
 
 private:

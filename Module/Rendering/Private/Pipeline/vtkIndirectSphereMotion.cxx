@@ -17,8 +17,8 @@ namespace
 {
 constexpr int LeastChanges = 2;
 constexpr int MostIdle = 8; // half a second at 15 frames a second
-// So many take 0.8 of the time of maps, of which a frame that somebody waits for draws a few
-// (Documentation/methods/sphere-proxies.md); with more the tree of them takes over.
+// This many spheres take 0.8 of the time of maps, of which a frame in motion draws a few
+// (Documentation/methods/sphere-proxies.md); with more spheres the tree over them dominates.
 constexpr double MostSpheres = 100000.0;
 }
 
@@ -45,7 +45,7 @@ void vtkIndirectSphereMotion::Update(
   {
     this->What.clear();
     this->WhyNot.clear();
-    // Where none of what has moved is left it takes two frames to begin with again.
+    // When no moved prop is left, motion needs two frames to begin again.
     this->Moved = this->Moved && !this->Props.empty();
     return;
   }
@@ -86,7 +86,7 @@ double vtkIndirectSphereMotion::CountSplats(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Those that were there in the last frame already.
+// Counts the moved spheres of props that were in the last frame already.
 double vtkIndirectSphereMotion::FindMovedSpheres(const vtkIndirectFrame& frame)
 {
   std::unordered_map<vtkProp*, Before> now;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whether spheres move, frame after frame, so that depth maps of the sky would have to be drawn
-// anew each time, and whether spheres can take their place in this scene.
+// Detects spheres that move in successive frames, so that depth maps of the sky would have to be
+// drawn again each time, and whether spheres can replace the maps in this scene.
 //
-// Motion begins with the second frame on end whose spheres are elsewhere than in the one before. It
-// ends with the first frame that nobody awaits another after (see vtkIndirectPlan::Interactive) and
-// in which nothing has moved, else with the ninth of these on end: data often come more slowly than
-// a camera turns, and the picture is not to change in between. Eyes and tiles of one picture have
-// one answer.
+// Motion begins with the second successive frame whose spheres are elsewhere than in the frame
+// before. It ends with the first unmoved frame that is not interactive (see
+// vtkIndirectPlan::Interactive), otherwise with the ninth unmoved frame in succession: data often
+// come more slowly than a camera turns, and the picture must not change in between. Eyes and tiles
+// of one picture have the same result.
 //
-// Splats that are cut off like spheres are in no depth map: with them all frames are as in motion,
-// still ones too, so that what they hide does not come and go.
+// Splats that are cut off like spheres are in no depth map. With such splats all frames count as
+// motion, still ones too, so that their shadows do not come and go.
 #ifndef vtkIndirectSphereMotion_h
 #define vtkIndirectSphereMotion_h
 
@@ -17,7 +17,7 @@
 #include "vtkType.h"                       // for times
 
 #include <string>        // for reasons
-#include <unordered_map> // for what was before
+#include <unordered_map> // for props of the last frame
 #include <vector>        // for places
 
 class vtkEnvironmentLight;
@@ -27,14 +27,17 @@ struct vtkIndirectFrame;
 class vtkIndirectSphereMotion
 {
 public:
-  /** Once a frame. */
+  /** Updates the detection; to be called once a frame. */
   void Update(const vtkIndirectFrame& frame, vtkEnvironmentLight* environment, bool interactive);
 
-  /** What moves; empty where nothing does. */
+  /** Returns the moving spheres, in words; empty if there are none. */
   const std::string& GetWhat() const { return this->What; }
-  /** Why spheres cannot stand for what hides the sky; empty where they can, or nothing moves. */
+  /**
+   * Returns the reason why spheres cannot represent everything that hides the sky; empty if they
+   * can, or without motion.
+   */
   const std::string& GetWhyNot() const { return this->WhyNot; }
-  /** Whether what is there now has moved once, and could be summed by spheres. */
+  /** Returns true if present spheres have moved once, and could be summed by spheres. */
   bool HasMoved() const { return this->Moved; }
   void Forget();
 
@@ -52,13 +55,13 @@ private:
   };
   std::unordered_map<vtkProp*, Before> Props;
   vtkIndirectProxyKinds Kinds;
-  int Changes = 0; // frames on end
-  int Idle = 0;    // and then those without
+  int Changes = 0; // number of successive frames with motion
+  int Idle = 0;    // number of successive frames without it, since then
   bool Moved = false;
   std::string What;
   std::string WhyNot;
 
-  vtkEnvironmentLight* Environment = nullptr; // whose sun it is, and its time
+  vtkEnvironmentLight* Environment = nullptr; // environment of Sun, and its time
   vtkMTimeType EnvironmentTime = 0;
   bool Sun = false;
 };

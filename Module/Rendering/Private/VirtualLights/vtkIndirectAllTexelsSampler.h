@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every texel of every map as a virtual light of its own: the reference that others converge to.
-// Or, of many, one for each square of 2 x 2, 4 x 4, ... texels.
+// Makes every texel of every map a virtual light of its own: the reference that other samplers
+// converge to. If there are too many texels, it makes one light for each square of 2 x 2, 4 x 4,
+// ... texels.
 #ifndef vtkIndirectAllTexelsSampler_h
 #define vtkIndirectAllTexelsSampler_h
 
@@ -17,7 +18,9 @@ public:
     abilities.NumberOfLights = VTK_INT_MAX;
     return abilities;
   }
-  /** Lights at most, as long as there are two texels along an edge. */
+  /**
+   * Sets the largest number of lights; it is kept as long as there are two texels along an edge.
+   */
   void SetMostLights(size_t count) { this->MostLights = count; }
 
   void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override
@@ -37,8 +40,8 @@ public:
     }
     for (const Source& source : sources)
     {
-      // One of the four texels around a square's middle, each as often: always the same one would
-      // be half a texel beside it.
+      // Takes each of the four texels around a square's middle equally often: taking always the
+      // same one would shift all lights by half a texel.
       for (int row = 0; row * step + step / 2 < source.Size[1]; ++row)
       {
         const int j = row * step + (step - (row & 1)) / 2;

@@ -9,13 +9,13 @@
 
 namespace
 {
-// Of an image with fewer pixels along an edge each is cut into cells; of one with more, several
-// share an entry of the table.
+// Each pixel of an image with fewer pixels along an edge is cut into cells; in an image with more
+// pixels than MostEntries, several pixels share an entry of the table.
 constexpr int LeastCells = 64;
 constexpr int MostEntries = 512;
 
-// Sums over cells: of their radiance, of its sum over the colours, and of that times place, its
-// square and its own square.
+// Sums over cells: of radiance by colour, of its strength (the sum over the colours), of strength
+// times place and times the place's square, and of the strength's square.
 enum Quantity
 {
   Red,
@@ -31,8 +31,8 @@ enum Quantity
 };
 using Sums = std::array<double, NumberOfQuantities>;
 
-// An emitter in cells; sums of any rectangle of entries from four of them (summed-area table, Crow
-// 1984).
+// An emitter in cells. Four entries give the sums over any rectangle of entries (summed-area table,
+// Crow 1984).
 class Table
 {
 public:
@@ -80,7 +80,7 @@ public:
     {
       sums[q] = (d[q] - b[q]) - (c[q] - a[q]);
     }
-    // What rounding leaves of a dark piece is no light.
+    // A dark piece may have a rest from rounding, which is no light.
     if (!(sums[Strength] > 1e-12 * this->Entries.back()[Strength]))
     {
       sums.fill(0.0);
@@ -99,7 +99,7 @@ private:
   {
     return static_cast<int>(static_cast<long long>(cell) * this->Size[axis] / this->Cells[axis]);
   }
-  // Places are from -1/2 to 1/2, which keeps digits.
+  // Places are from -1/2 to 1/2, which preserves digits.
   double GetPlace(int cell, int axis) const { return (cell + 0.5) / this->Cells[axis] - 0.5; }
 
   void Add(Sums& sums, int x, int y) const
@@ -127,10 +127,10 @@ struct Piece
   int Lower[2];
   int Upper[2];
   Sums Sum;
-  glm::dvec2 Mean;   // place of its light
-  glm::dvec2 Spread; // mean squared distance from that along the edges, scene units squared
-  double Width;      // light times that
-  int Axis;          // along which it can be cut; -1 where it cannot
+  glm::dvec2 Mean;   // mean place of its light
+  glm::dvec2 Spread; // mean squared distance from Mean along the edges, scene units squared
+  double Width;      // light times the sum of Spread
+  int Axis;          // axis along which it can be cut; -1: it cannot be cut
 
   Piece(const Table& whole, const int lower[2], const int upper[2])
     : Whole(&whole)
@@ -160,7 +160,7 @@ struct Piece
     this->Axis = upper[this->Axis] - lower[this->Axis] > 1 ? this->Axis : -1;
   }
 
-  // Before which entry of the table it is cut.
+  // Returns the entry of the table before which the piece is cut.
   int FindCut() const
   {
     const int cut =
@@ -184,7 +184,7 @@ struct Piece
   }
 };
 
-// The widest first; of equals the earlier one.
+// Orders the queue so that the widest piece comes first, and among equal ones the earlier.
 struct Narrower
 {
   bool operator()(const std::pair<double, size_t>& a, const std::pair<double, size_t>& b) const
@@ -245,7 +245,7 @@ std::vector<vtkIndirectAreaClusters::Light> vtkIndirectAreaClusters::MakeLights(
     middle[1] = piece.Lower[1];
     middle[piece.Axis] = piece.FindCut();
     const Piece second(*piece.Whole, middle, piece.Upper);
-    // One of them takes the place of the whole; the other may be dark.
+    // One half replaces the whole piece; the other half may be dark.
     const bool firstIsLit = first.Sum[Strength] > 0.0;
     pieces[widest] = firstIsLit ? first : second;
     lights += sides(piece);

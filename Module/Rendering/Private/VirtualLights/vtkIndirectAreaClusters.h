@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Virtual lights of rectangles that send light: few where the light is spread evenly, more where it
-// is not.
+// Virtual lights of rectangles that send light: few where the light is uniform, more where it is
+// not.
 //
-// A rectangle is halved again and again, always the piece whose light lies farthest from its mean,
-// over all rectangles (compare Nichols and Wyman 2009, who begin with many lights and join those of
-// a piece without a discontinuity). A piece's light is the sum of its pixels', so none is lost; it
-// comes from their mean place. Its area is that which the light covers: a single bright pixel has
-// its own area, not that of the dark piece that it lies in.
+// The piece whose light lies farthest from its mean, over all rectangles, is halved again and
+// again. (Nichols and Wyman 2009 begin with many lights instead, and join those of a piece without
+// a discontinuity.) A piece's light is the sum of its pixels' light, so no light is lost; it comes
+// from the pixels' mean place. A piece's area is the area that its light covers: a single bright
+// pixel has its own area, not that of the dark piece around it.
 #ifndef vtkIndirectAreaClusters_h
 #define vtkIndirectAreaClusters_h
 
@@ -26,7 +26,7 @@ public:
     glm::dvec3 Edge2{ 0.0 };
     int Columns = 1;
     int Rows = 1;
-    const float* Radiances = nullptr; // three each
+    const float* Radiances = nullptr; // three numbers a pixel
     bool TwoSided = false;
   };
   struct Light
@@ -38,8 +38,9 @@ public:
   };
 
   /**
-   * At most so many lights, but one for each side of an emitter that is not dark. Pieces are not
-   * smaller than pixels, a 64th of an edge where these are larger, a 512th where they are smaller.
+   * Makes at most this many lights, but at least one for each side of an emitter that is not dark.
+   * Pieces are no smaller than pixels, a 64th of an edge where pixels are larger, a 512th where
+   * pixels are smaller.
    */
   static std::vector<Light> MakeLights(const std::vector<Emitter>& emitters, int count);
 };

@@ -15,7 +15,7 @@ std::vector<glm::dvec3> vtkIndirectDirections::MakeLattice(int count)
   const double goldenAngle = vtkMath::Pi() * (3.0 - std::sqrt(5.0));
   for (int i = 0; i < count; ++i)
   {
-    // World axes have no part in it: y is where most skies have their zenith.
+    // The lattice's axis is y, because most skies have their zenith there.
     const double y = 1.0 - (2.0 * i + 1.0) / count;
     const double r = std::sqrt(std::max(0.0, 1.0 - y * y));
     const double angle = i * goldenAngle;
@@ -26,10 +26,10 @@ std::vector<glm::dvec3> vtkIndirectDirections::MakeLattice(int count)
 
 namespace
 {
-// Puts [first, end) into an order in which each is the farthest from all before it.
+// Orders [first, end) so that each direction is the farthest from all directions before it.
 void SpreadOut(std::vector<glm::dvec3>& directions, size_t first, size_t end)
 {
-  // Cosine to the nearest one before.
+  // Cosine to the nearest direction before.
   std::vector<double> nearest(end, -1.0);
   auto add = [&](size_t added, size_t from)
   {
@@ -60,7 +60,7 @@ std::vector<glm::dvec3> vtkIndirectDirections::MakeNestedLattice(int count)
   std::vector<glm::dvec3> nested = MakeLattice(count);
   for (int coarse = count / 4; coarse >= 16; coarse /= 4)
   {
-    // Each place of a coarser lattice takes the nearest one that is left.
+    // Each place of a coarser lattice takes the nearest remaining direction.
     const std::vector<glm::dvec3> wanted = MakeLattice(coarse);
     for (size_t k = 0; k < wanted.size(); ++k)
     {

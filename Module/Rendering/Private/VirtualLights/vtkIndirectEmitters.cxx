@@ -13,7 +13,7 @@
 
 namespace
 {
-// Those of pieces follow: there are fewer directions of the sky.
+// Numbers of pieces start here: there are fewer directions of the sky.
 constexpr int FirstPiece = 1024;
 constexpr int MostPiecesPerEdge = 2;
 constexpr size_t MostPieces = vtkIndirectEmitters::MostPieces;
@@ -23,13 +23,13 @@ glm::dvec3 ToVector(const double v[3])
   return { v[0], v[1], v[2] };
 }
 
-// What a part of an area light sends, its mean over the part.
+// Returns the mean radiance of a part of an area light.
 glm::dvec3 FindRadiance(vtkAreaLight* light, int x, int y, int pieces)
 {
   int columns;
   int rows;
   const std::vector<float>& radiances = light->GetRadiances(columns, rows);
-  // A pixel that lies in several parts counts to each with what lies in it.
+  // A pixel that lies in several parts counts for each part with its share there.
   auto share = [pieces](int pixel, int count, int piece)
   {
     const double lower = std::max(1.0 * pixel / count, 1.0 * piece / pieces);
@@ -50,8 +50,8 @@ glm::dvec3 FindRadiance(vtkAreaLight* light, int x, int y, int pieces)
   return sum;
 }
 
-// A part of a list, and the greatest extent of it: of places, or of directions, of which a turn
-// counts as much as a way through all places.
+// A part of a list, and its greatest extent, in place or in direction. Half a turn counts as much
+// as the extent of all places.
 struct Part
 {
   std::vector<size_t> Members;
@@ -85,9 +85,9 @@ void Measure(Part& part, const vtkIndirectEmitters::List& list, double size)
   }
 }
 
-// Where there are more than so many, those that are near each other and send the same way are one,
-// at the place of the middle one of them. What a list is parted by does not depend on how strong
-// they are, so that lights whose images change stay where they are.
+// If the list has more than `most` lights, joins lights that are near each other and send the same
+// way, at the place of the one nearest to their mean. The partition does not depend on the lights'
+// strength, so lights stay in place while their images change.
 void JoinAlike(vtkIndirectEmitters::List& list, size_t most)
 {
   if (list.size() <= most)
@@ -199,7 +199,7 @@ void vtkIndirectEmitters::AddAreaLights(
         emitter.Light.PositionWC = origin + (x + 0.5) / pieces * edge1 + (y + 0.5) / pieces * edge2;
         emitter.Light.DirectionWC = (side == 0 ? 1.0 : -1.0) * ToVector(normal);
         emitter.Light.Color = glm::dvec3(1.0);
-        // L A cos / (pi d^2 + A): a spot of the whole hemisphere.
+        // The irradiance is L A cos / (pi d^2 + A): a spot of the whole hemisphere.
         emitter.Light.Attenuation = { area / vtkMath::Pi(), 0.0, 1.0 };
         emitter.Light.ConeAngle = 89.9;
         emitter.Light.Exponent = 1.0;
@@ -227,7 +227,7 @@ double vtkIndirectEmitters::FindIrradiance(
       const glm::dvec3 apart = middle - ToVector(place);
       double mean[3];
       light->GetMeanRadiance(mean);
-      // A disk of its area, as virtual lights are.
+      // The light counts as a disk of its area, as virtual lights do.
       sum += ToVector(mean) * (area / (vtkMath::Pi() * glm::dot(apart, apart) + area));
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lights senders besides the renderer's lights: the sky in a few directions, and rectangles in
-// a few pieces. Each is a light with a map, as the renderer's are.
+// Emitters that light senders besides the renderer's lights: the sky in a few directions, and
+// rectangles in a few pieces. Each of them is a light with a map, as the renderer's lights are.
 #ifndef vtkIndirectEmitters_h
 #define vtkIndirectEmitters_h
 
@@ -15,33 +15,36 @@ class vtkIndirectSkyProjection;
 
 struct vtkIndirectEmitter
 {
-  /** The same of what has the same place in any frame, whatever it sends. */
+  /** Emitters of the same place have the same number in any frame, whatever they send. */
   int Number = 0;
-  /** Of colour one: what maps hold does not depend on how much light there is. */
+  /** The light has colour one: maps do not depend on how much light there is. */
   vtkIndirectLight Light;
   glm::dvec3 Strength{ 0.0 }; // VTK's colour times intensity
-  size_t Pieces = 1;          // that it stands for
+  size_t Pieces = 1;          // number of pieces that it represents
 };
 
 namespace vtkIndirectEmitters
 {
 using List = std::vector<vtkIndirectEmitter>;
 
-/** Directions of the sky's groups (vtkIndirectSkyGroups), those that send light. */
+/** Adds the directions of the sky's groups (vtkIndirectSkyGroups) that send light. */
 void AddSky(List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
 
-/** Pieces of area lights: each has a map of five faces. */
+/** Largest number of pieces of area lights: each has a map of five faces. */
 constexpr size_t MostPieces = 64;
 
 /**
- * Pieces of area lights, 2 x 2 of each, or one where there are more than four: spots that send by
- * the cosine, of which a surface gets what it gets from a disk of the piece's area. They stay where
- * they are, also while an image changes. Where there would be more than MostPieces, those that are
- * near each other and face alike are one.
+ * Adds pieces of area lights, 2 x 2 of each light, or one if there are more than four lights. A
+ * piece is a spot that sends by the cosine, and gives a surface the irradiance of a disk of the
+ * piece's area. Pieces stay in place while an image changes. If there would be more than
+ * MostPieces, pieces that are near each other and face alike are joined.
  */
 void AddAreaLights(List& emitters, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
 
-/** VTK irradiance, of the brightest colour, of a surface there that would face all area lights. */
+/**
+ * Returns the VTK irradiance, of the brightest colour, of a surface at this place that would face
+ * all area lights.
+ */
 double FindIrradiance(
   const std::vector<vtkSmartPointer<vtkAreaLight>>& lights, const double place[3]);
 }

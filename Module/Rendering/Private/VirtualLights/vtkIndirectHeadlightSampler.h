@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Virtual lights of a headlight that is the only light: the eye sees what it lights, so the
-// geometry buffer serves as its map.
+// Virtual lights of a headlight that is the only light. The eye sees all surfaces that it lights,
+// so the geometry buffer serves as its map.
 #ifndef vtkIndirectHeadlightSampler_h
 #define vtkIndirectHeadlightSampler_h
 

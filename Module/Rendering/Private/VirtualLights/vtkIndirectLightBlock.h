@@ -18,30 +18,34 @@ class vtkIndirectLightBlock
 public:
   ~vtkIndirectLightBlock();
 
-  /** Lights that the block holds at most: what the context's uniform blocks can, 256 to 1024. */
+  /**
+   * Returns the largest number of lights of the block: 256 to 1024, as the context's uniform blocks
+   * allow.
+   */
   int GetCapacity(vtkOpenGLRenderWindow* window);
-  /** Definitions that the block's declaration, and the sum over the lights, need. */
+  /** Returns the definitions for the block's declaration and for the sum over lights. */
   std::string GetDefinitions() const;
 
   /**
-   * Takes the lights of a frame, or `count` of them from `first` on, a multiple of
-   * vtkIndirectSampler::RowLength; as many as it holds are copied into the buffer, on the GPU.
+   * Takes the lights of a frame, or `count` of them from `first` on (a multiple of
+   * vtkIndirectSampler::RowLength). Copies as many lights as the block holds into the buffer, on
+   * the GPU.
    */
   void Update(vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights);
   void Update(
     vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights, int first, int count);
   int GetNumberOfLights() const { return this->Count; }
-  /** Binds the block, and the table with the lights beyond its capacity; pair. */
+  /** Bind the block, and the table with the lights beyond its capacity; pair. */
   void Activate(vtkShaderProgram* program) const;
   void Deactivate() const;
 
   size_t GetBytes() const { return this->Bytes; }
-  /** The buffer's context must be current. */
+  /** Releases the buffer; its context must be current. */
   void Release();
 
 private:
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;     // of the buffer
-  const vtkIndirectVirtualLights* Lights = nullptr; // of the last Update
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window;     // window of the buffer
+  const vtkIndirectVirtualLights* Lights = nullptr; // lights of the last Update
   int First = 0;
   int Count = 0;
   int Capacity = 0;

@@ -9,47 +9,51 @@
 
 namespace
 {
-// What a preset takes of the renderer's own lights, and what it makes good for.
+// How a preset divides the light between the renderer's own lights and its own.
 struct Balance
 {
-  // The share that stays as VTK draws it: the least, in steps of 0.1, with which no more is nearly
-  // black than in plain VTK and brightness is within 10 % of it, on all that
-  // Testing/Benchmark/readability.py shows. Brightness decides: it varies with what objects hide of
-  // the rest.
+  // The share that stays as VTK draws it: the smallest one, in steps of 0.1, with which no more
+  // pixels are nearly black than in plain VTK and brightness is within 10 % of plain VTK's, on all
+  // scenes of Testing/Benchmark/readability.py. Brightness is decisive: it varies with how much of
+  // the other light objects hide.
   double Kept;
-  // What objects receive of the rest, from each other's surfaces too, over what they would if
-  // nothing hid any of it: near the middle of what readability.py shows.
+  // The light that objects receive of the other share, including reflections, over the light that
+  // they would receive if nothing hid any of it: near the middle of the scenes of readability.py.
   double Openness;
-  // The share of a concave part's hemispheres in which its surfaces see each other. Faces at a right
-  // angle do in half of theirs at most, of a key that falls on both. A sky reaches less of what sees
-  // other surfaces: 0.35 stands for the brightest pixels of white trays, corners, bowls and rooms.
+  // The share of a concave part's hemispheres in which its surfaces see each other. Faces at a
+  // right angle see each other in at most half of their hemispheres, under a key that falls on
+  // both. A sky reaches less of the surfaces that see others: 0.35 represents the brightest pixels
+  // of white trays, corners, bowls and rooms.
   double Facing;
 };
 
-// Light from a kit, the renderer's or that of full: 0.61 (isosurfaces) to 0.99 (a part on a table).
-// With 0.5 a quadric in a kit would be 12 % darker than plain VTK's.
+// Light from a kit, the renderer's or that of the preset full: openness is 0.61 (isosurfaces) to
+// 0.99 (a part on a table). With 0.5 a quadric in a kit would be 12 % darker than plain VTK's.
 constexpr Balance OfKit = { 0.6, 0.83, 0.5 };
 constexpr Balance OfSkyFromKit = { 0.6, 0.83, 0.4 };
 
-// Light from around the viewer: 0.74 (a molecule) to 0.97 (a part on a table). What the camera sees
-// is open to where the camera is, so that less varies, and less has to be kept.
+// Light from around the viewer: openness is 0.74 (a molecule) to 0.97 (a part on a table). Surfaces
+// that the camera sees are open towards the camera, so openness varies less and a smaller share is
+// kept.
 constexpr Balance OfSkyAtViewer = { 0.4, 0.86, 0.4 };
 
-// What is convex has no bounces: so much darker than in plain VTK it may become, for what is
-// concave not to burn out. Brightness is within 10 % of VTK's then, whatever the shape.
+// Convex objects have no bounces. They may become this much darker than in plain VTK, so that
+// concave ones do not burn out. Then brightness is within 10 % of VTK's, whatever the shape.
 constexpr double Dimming = 0.08;
 
-// Half of a lobe's radiance lies within 33 degrees of its middle: several of the directions that a
-// sky is summed over, so that none of them is seen by itself.
+// Half of a lobe's radiance lies within 33 degrees of its middle. A lobe covers several of the
+// directions that a sky is summed over, so that no direction is visible by itself.
 constexpr double Exponent = 4.0;
 
-// Radiance from everywhere over the irradiance of a ball, at least: no direction is dark, so that
-// the maps of all are kept while the camera turns, and none is so bright that it gets finer ones.
+// The least radiance from everywhere, over the irradiance of a ball. No direction is dark, so that
+// the maps of all directions are kept while the camera turns, and no direction is so bright that it
+// gets finer maps.
 constexpr double Everywhere = 0.15;
 
-// In place of a headlight: a key and a fill beside the viewer, and rims. At the height of the
-// viewer's eyes, because what faces up is dim in a headlight, too: from 50 degrees above, as that
-// of vtkLightKit is, terrain and tables would be a third brighter than plain VTK's.
+// Makes the kit that replaces a headlight: a key and a fill beside the viewer, and rims. They are
+// at the height of the viewer's eyes, because surfaces that face up are dim in a headlight, too:
+// with a key from 50 degrees above, like that of vtkLightKit, terrain and tables would be a third
+// brighter than plain VTK's.
 std::vector<vtkIndirectLamp> MakeKit(const glm::dvec3& color)
 {
   auto lamp = [&color](double elevation, double azimuth, double strength)
@@ -70,9 +74,9 @@ bool IsHeadlight(const vtkIndirectLamp& lamp)
   return lamp.Direction == glm::dvec3(0.0, 0.0, 1.0);
 }
 
-// The same irradiance through a sphere, summed over all directions (scalar), and the same net one
-// (vector) as the lamps: their first two bands of spherical harmonics, where a lobe and light from
-// everywhere can have them. What is narrower than a lobe becomes one.
+// Gives the sky the lamps' irradiance through a sphere, summed over all directions (scalar), and
+// their net irradiance (vector): the first two bands of spherical harmonics, as far as a lobe and
+// light from everywhere can have them. Light narrower than a lobe becomes a lobe.
 void SetSky(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps)
 {
   glm::dvec3 scalar(0.0);
@@ -84,17 +88,19 @@ void SetSky(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps)
   }
   const glm::dvec3 sum = vector * glm::dvec3(1.0);
   const double length = glm::length(sum);
-  // Lamps that balance each other come from everywhere.
+  // Lamps that cancel out come from everywhere.
   const glm::dvec3 direction =
     length > 1e-6 * GetMean(scalar) ? sum / length : glm::dvec3(0.0, 0.0, 1.0);
   const glm::dvec3 facing = glm::max(direction * vector, glm::dvec3(0.0));
   rig.Lobes.push_back({ { direction, facing }, Exponent });
-  // A lobe's scalar irradiance is (p + 2) / (p + 1) of what faces it, light from everywhere has 4.
+  // A lobe's scalar irradiance is (p + 2) / (p + 1) times that of a surface facing it; light from
+  // everywhere has 4 times its radiance.
   rig.Ambient =
     glm::max((scalar - facing * ((Exponent + 2.0) / (Exponent + 1.0))) / 4.0, glm::dvec3(0.0));
 }
 
-// Each lamp a lobe where it is, but of those that come from the viewer no shadow is visible.
+// Makes each lamp a lobe in its direction. A lamp from the viewer stays sharp, because its shadows
+// are not visible.
 void SetLobes(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps)
 {
   for (const vtkIndirectLamp& lamp : lamps)
@@ -136,7 +142,8 @@ void Scale(vtkIndirectLightRig& rig, double factor)
   }
 }
 
-// The share of the renderer's lights that gives way to others, and their strength.
+// The share of the renderer's lights that is replaced, and the strength of the light that replaces
+// it.
 struct Exchange
 {
   double Share;
@@ -153,7 +160,7 @@ Exchange FindExchange(
   {
     return found;
   }
-  // What plain VTK clips itself has no room, and needs none.
+  // A surface that plain VTK clips leaves no room for more light, and needs none.
   const double room = std::max(1.0 / brightest - 1.0, 0.0);
   if (found.Strength * (gain - 1.0) > room + Dimming)
   {
@@ -164,7 +171,7 @@ Exchange FindExchange(
   return found;
 }
 
-// Adds a share of the lamps as they are. What is in the same place becomes one light.
+// Adds a share of the lamps unchanged. Lamps in the same direction become one light.
 void Keep(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps, double share)
 {
   for (const vtkIndirectLamp& lamp : lamps)
@@ -206,7 +213,7 @@ glm::dvec3 vtkIndirectLightRig::GetRadiance(const glm::dvec3& direction) const
     const double cosine = glm::dot(direction, lobe.Lamp.Direction);
     if (cosine > 0.0)
     {
-      // The irradiance of a surface that faces radiance cos^p is 2 / (p + 2).
+      // A surface that faces radiance cos^p has the irradiance 2 / (p + 2).
       radiance += lobe.Lamp.Color * (0.5 * (lobe.Exponent + 2.0) * std::pow(cosine, lobe.Exponent));
     }
   }
@@ -230,7 +237,7 @@ double vtkIndirectLightRig::GetIrradianceOfBall() const
   {
     sum += GetIrradianceOfBall(fill);
   }
-  // Of the sky by parallels of equal height about the vertical.
+  // Sums over the sky by parallels of equal height about the vertical.
   constexpr int Rows = 64;
   constexpr int Columns = 64;
   for (int j = 0; j < Rows; ++j)
@@ -241,7 +248,7 @@ double vtkIndirectLightRig::GetIrradianceOfBall() const
     {
       const double angle = 2.0 * vtkMath::Pi() * (i + 0.5) / Columns;
       const glm::dvec3 direction(r * std::cos(angle), y, r * std::sin(angle));
-      // Radiance over pi is irradiance of what faces it.
+      // Radiance over pi, times a solid angle, is the VTK irradiance of a surface that faces it.
       sum += GetIrradianceOfBall({ direction, this->GetRadiance(direction) }) * 4.0 /
         static_cast<double>(Rows * Columns);
     }
@@ -252,8 +259,9 @@ double vtkIndirectLightRig::GetIrradianceOfBall() const
 //------------------------------------------------------------------------------
 double vtkIndirectLightRig::FindMostIrradiance(const std::vector<vtkIndirectLamp>& lamps)
 {
-  // A surface that has most faces the sum of the lamps that it sees, weighted by what they give:
-  // from each lamp's direction on, turning to that sum never loses, and few turns settle it.
+  // A surface with the greatest irradiance faces the sum of the lamps that it sees, weighted by
+  // their light. Turning from a lamp's direction to that sum never reduces the irradiance, and few
+  // turns suffice.
   double most = 0.0;
   for (const vtkIndirectLamp& first : lamps)
   {

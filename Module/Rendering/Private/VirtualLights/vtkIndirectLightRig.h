@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lights of a preset, in the axes of the camera: x to the right, y up, z to the viewer. No VTK
-// objects in it.
+// The lights of a preset, in the axes of the camera: x to the right, y up, z to the viewer. A rig
+// holds no VTK objects.
 //
-// Light that has no place and no hard shadow is radiance of a sky: the same from everywhere, and
-// lobes of a power of the cosine, each given by what it sends to a surface that faces it, so that a
-// lobe stands for a light of that strength whatever its width.
+// Light without a place and without hard shadows is radiance of a sky: uniform radiance from
+// everywhere, and lobes of a power of the cosine. A lobe is given by the irradiance of a surface
+// that faces it, so that it replaces a light of that strength whatever the lobe's width.
 //
-// A picture is as bright as plain VTK's on whatever it shows only where both kinds of light agree
-// for every direction that surfaces can have. So a preset keeps a share of the renderer's own
-// lights, as VTK draws them, which nothing hides; and the light that takes the place of the rest
-// comes from where it came from, and gives a ball as much as it gave.
+// A picture is as bright as plain VTK's for every scene only if both kinds of light agree for every
+// direction of surfaces. So a preset keeps a share of the renderer's own lights, as VTK draws them,
+// which nothing hides. The light that replaces the rest comes from the same directions, and gives a
+// ball the same irradiance.
 //
-// Surfaces reflect the light that takes the place, and nothing of what is kept. Of albedo a, a
-// concave part whose surfaces see each other in a share F of their hemispheres has G = 1 / (1 - a
-// F) of what falls on it, all bounces taken together. What is nearly white has no room for that. So
-// where s stands for a share r, 1 - r + s G may not be more than white leaves to what plain VTK
-// draws: 1 / (a P), with P the most that the renderer's lights give any surface.
+// Surfaces reflect the replacing light, and nothing of the kept light. A concave part of albedo a,
+// whose surfaces see each other in a share F of their hemispheres, receives G = 1 / (1 - a F) times
+// the light that falls on it, all bounces taken together. Nearly white surfaces have no room for
+// that. So where strength s replaces a share r, 1 - r + s G must not exceed the ratio of white to
+// plain VTK's brightest surface: 1 / (a P), where P is the greatest irradiance that the renderer's
+// lights give any surface.
 #ifndef vtkIndirectLightRig_h
 #define vtkIndirectLightRig_h
 
@@ -29,11 +30,13 @@ struct vtkIndirectLamp
   glm::dvec3 Color{ 0.0 };               // VTK irradiance of a surface that faces it
 };
 
-/** Of the surfaces that a rig lights, as far as their colours are known; zero: not at all. */
+/**
+ * The albedo of the surfaces that a rig lights, as far as their colours are known; zero: unknown.
+ */
 struct vtkIndirectRigAlbedo
 {
-  double Brightest = 0.0; // of all channels, which may become white
-  double Mean = 0.0;      // of red, green and blue, of the lightest: what bounces
+  double Brightest = 0.0; // greatest of all channels, which may become white
+  double Mean = 0.0;      // of red, green and blue, of the lightest surface: for bounces
 };
 
 struct vtkIndirectLightRig
@@ -41,34 +44,37 @@ struct vtkIndirectLightRig
   struct Lobe
   {
     vtkIndirectLamp Lamp;
-    double Exponent = 1.0; // of the cosine; 0: the same from a whole hemisphere
+    double Exponent = 1.0; // exponent of the cosine; 0: uniform radiance from a hemisphere
   };
 
   glm::dvec3 Ambient{ 0.0 }; // radiance from everywhere
   std::vector<Lobe> Lobes;
   vtkIndirectLamp Key;                // sharp; black: none
-  double KeyShadow = 1.0;             // the share of the key that shadows take away
+  double KeyShadow = 1.0;             // share of the key that shadows remove
   std::vector<vtkIndirectLamp> Fills; // sharp, without shadows
 
-  /** Of the sky: ambient light and lobes. */
+  /** Returns the radiance of the sky: ambient light and lobes. */
   glm::dvec3 GetRadiance(const glm::dvec3& direction) const;
   /**
-   * The mean irradiance, of red, green and blue, of a ball that a camera far away sees and that
-   * nothing hides any light from.
+   * Returns the mean irradiance, of red, green and blue, of an unoccluded ball as a camera far away
+   * sees it.
    */
   double GetIrradianceOfBall() const;
-  /** The same of a lamp: (2 / 3 pi) (sin a + (pi - a) cos a), at an angle a from the camera. */
+  /**
+   * Returns the same for a lamp: (2 / 3 pi) (sin a + (pi - a) cos a), at an angle a from the
+   * camera.
+   */
   static double GetIrradianceOfBall(const vtkIndirectLamp& lamp);
 
   /**
-   * The rig of a preset (vtkIndirectLightingType). lamps: the renderer's own lights that follow its
-   * camera; none stands for a headlight of strength 1, as VTK makes it.
+   * Makes the rig of a preset (vtkIndirectLightingType). lamps: the renderer's own lights that
+   * follow its camera; an empty list means a headlight of strength 1, as VTK makes it.
    */
   static vtkIndirectLightRig Make(int preset, std::vector<vtkIndirectLamp> lamps,
     const vtkIndirectRigAlbedo& albedo = vtkIndirectRigAlbedo());
-  /** The most that lamps give a surface, whatever it faces. */
+  /** Returns the greatest irradiance that lamps give a surface of any direction. */
   static double FindMostIrradiance(const std::vector<vtkIndirectLamp>& lamps);
-  /** Angles in degrees, as vtkLight::SetDirectionAngle has them. */
+  /** Returns the direction for angles in degrees, as in vtkLight::SetDirectionAngle. */
   static glm::dvec3 FromAngles(double elevation, double azimuth);
 };
 

@@ -21,8 +21,8 @@ namespace
 using Source = vtkIndirectMapSampler::Source;
 using Drawing = vtkIndirectMapSampler::Drawing;
 
-// The faces of the maps; or the charts that samples are warped in, by their numbers, of which they
-// take shares: one a light, or -1 for all of them.
+// Makes the sources that samples take shares of: the faces of the maps, or the charts that samples
+// are warped in, by their numbers. There is a chart for each light, or chart -1 for all of them.
 std::vector<Source> MakeSources(const vtkIndirectLightMaps& maps, const Drawing& drawing)
 {
   std::vector<Source> sources;
@@ -69,7 +69,7 @@ struct vtkIndirectMapSampler::Internals
   vtkIndirectSampleWarp Warp;
   vtkIndirectFullScreenProgram Program{ "vtkIndirectVirtualLightFS.glsl" };
   vtkIndirectFullScreenProgram LobeProgram{ "vtkIndirectVirtualLobeFS.glsl" };
-  vtkMTimeType MapTime = 0; // of the maps that the lights were made from
+  vtkMTimeType MapTime = 0; // time of the maps that the lights were made from
 };
 
 vtkIndirectMapSampler::vtkIndirectMapSampler(vtkVirtualLightSampler* owner)
@@ -150,7 +150,7 @@ bool vtkIndirectMapSampler::Update(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-// Where the maps have what senders reflect specularly.
+// Draws the lobes where the maps hold specular reflections of senders.
 bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
 {
   Internals& in = *this->Internal;

@@ -25,8 +25,8 @@ public:
     int Light = 0; // sources of one light share its lights
     int Size[2] = { 1, 1 };
     bool Disk = false; // only the inscribed disk is lit
-    // Faces of a cube: cosine of the cone of light about its axis, -1 for all directions; 2: no
-    // cube.
+    // For faces of a cube: cosine of the cone of light about the face's axis, -1 for all
+    // directions. 2: the source is not of a cube.
     double CosCone = 2.0;
 
     bool operator==(const Source& other) const
@@ -37,7 +37,7 @@ public:
     }
   };
 
-  /** A choice: map coordinates in [0,1), layer, texels that it stands for. */
+  /** A choice: map coordinates in [0,1), layer, number of texels that it represents. */
   struct Sample
   {
     float U;
@@ -46,25 +46,28 @@ public:
     float Texels;
   };
 
-  /** Fills a pattern for these sources; its samples of a source sum to that source's texels. */
+  /**
+   * Fills a pattern for these sources. The texels that a source's samples represent add up to the
+   * source's texels.
+   */
   virtual void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) = 0;
 
-  /** Says how the pattern's places are warped, so that more lie where more light comes from. */
+  /** How the pattern's places are warped, so that more of them lie where more light comes from. */
   struct Drawing
   {
     enum Importance
     {
       NOTHING,    // the pattern's places are texels of the map, lit or not
-      LIT_TEXELS, // texels that send light are drawn alike
-      FLUX        // by how much light they send, over all lights of the scene together
+      LIT_TEXELS, // texels that send light are drawn with equal probability
+      FLUX // texels are drawn by the light that they send, over all lights of the scene together
     };
     Importance By = NOTHING;
-    double Evenness = 0.0;    // share of samples that are drawn alike within each light
+    double Evenness = 0.0;    // share of samples drawn with equal probability within each light
     int Method = 0;           // VTKI_WARP_APART or VTKI_WARP_TOGETHER
-    int Levels = VTK_INT_MAX; // of the warp, from the coarsest on
+    int Levels = VTK_INT_MAX; // number of levels of the warp, from the coarsest on
     bool Modulated = false;   // lights lose the part of their light that open surfaces would send
-    double Occlusion = 0.0;   // how much more surfaces are drawn from that others are near to
-    double ShareOfArea = 1.0; // what lights' disks have of the area that they stand for
+    double Occlusion = 0.0;   // how much more often surfaces near other surfaces are drawn
+    double ShareOfArea = 1.0; // area of lights' disks over the area that they represent
   };
   virtual Drawing GetDrawing() const { return {}; }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sampler's pattern of map coordinates as a texture, made anew when its sources or the sampler
-// have changed.
+// A sampler's pattern of map coordinates as a texture. It is made anew when its sources or the
+// sampler have changed.
 #ifndef vtkIndirectPatternTexture_h
 #define vtkIndirectPatternTexture_h
 
@@ -20,13 +20,13 @@ public:
   vtkIndirectPatternTexture();
   ~vtkIndirectPatternTexture();
 
-  /** Returns whether it has changed. */
+  /** Brings the texture up to date. Returns true if it has changed. */
   bool Update(vtkOpenGLRenderWindow* window, vtkIndirectMapSampler& sampler,
     const std::vector<vtkIndirectMapSampler::Source>& sources);
 
   int GetNumberOfSamples() const { return this->NumberOfSamples; }
 
-  /** Pair with Deactivate. */
+  /** Binds the texture; pair with Deactivate. */
   void Activate(vtkShaderProgram* program) const;
   void Deactivate() const;
 
@@ -35,8 +35,8 @@ public:
 
 private:
   std::vector<vtkIndirectMapSampler::Source> Sources;
-  const vtkIndirectMapSampler* Sampler = nullptr; // who made it
-  vtkMTimeType Time = 0;                          // of that sampler
+  const vtkIndirectMapSampler* Sampler = nullptr; // sampler that made it
+  vtkMTimeType Time = 0;                          // time of that sampler
   int NumberOfSamples = 0;
   vtkSmartPointer<vtkTextureObject> Texture;
 };

@@ -39,7 +39,7 @@ glm::dvec3 vtkIndirectRadianceImage::Get(int column, int row)
       ++this->NumberOfInvalid;
       v = 0.0;
     }
-    // The transfer function of sRGB (IEC 61966-2-1).
+    // This is the transfer function of sRGB (IEC 61966-2-1).
     value[c] = !this->Encoded ? v : v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
   }
   return value;

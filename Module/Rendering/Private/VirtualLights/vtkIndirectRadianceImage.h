@@ -13,20 +13,31 @@ class vtkImageData;
 class vtkIndirectRadianceImage
 {
 public:
-  /** Sums of squares of greater radiances, and of images of such, are no longer floats. */
+  /**
+   * The greatest radiance: sums of squares of greater ones, and of images of them, overflow floats.
+   */
   static constexpr double MostRadiance = 1e18;
 
-  /** Whether it is one slice with a scalar, of one component or more, for each of its points. */
+  /**
+   * Returns true if the image is one slice with a scalar, of one component or more, for each of its
+   * points.
+   */
   static bool CanRead(vtkImageData* image);
 
-  /** Of an image that it can read. encoded: values are decoded by sRGB's transfer function. */
+  /**
+   * Reads an image for which CanRead is true. encoded: values are decoded by sRGB's transfer
+   * function.
+   */
   vtkIndirectRadianceImage(vtkImageData* image, bool encoded);
 
   int GetWidth() const { return this->Size[0]; }
   int GetHeight() const { return this->Size[1]; }
-  /** Bytes are parts of 255; what is negative or not finite counts as zero. */
+  /**
+   * Returns a pixel's radiance. Bytes are parts of 255; negative and non-finite values count as
+   * zero.
+   */
   glm::dvec3 Get(int column, int row);
-  /** How many values of those that Get has read were negative or not finite. */
+  /** Returns how many of the values that Get has read were negative or not finite. */
   vtkIdType GetNumberOfInvalid() const { return this->NumberOfInvalid; }
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Deterministic patterns on the CPU. No standard distributions: their values differ between
-// libraries, and with them every image.
+// Deterministic patterns on the CPU. They use no standard distributions, whose values differ
+// between libraries, and would change every image.
 #ifndef vtkIndirectSamplePattern_h
 #define vtkIndirectSamplePattern_h
 
@@ -11,10 +11,13 @@
 
 namespace vtkIndirectSamplePattern
 {
-/** Area of a disk over that of the square around it. */
+/** The area of a disk over that of the square around it. */
 constexpr double DiskShare = 0.78539816339744831;
 
-/** Fraction of i times the golden ratio: with (i + 0.5) / n it makes the Fibonacci lattice. */
+/**
+ * Returns the fraction of i times the golden ratio: with (i + 0.5) / n it makes the Fibonacci
+ * lattice.
+ */
 inline double GoldenRatioFraction(int i)
 {
   constexpr double golden = 0.61803398874989485;
@@ -23,8 +26,8 @@ inline double GoldenRatioFraction(int i)
 }
 
 /**
- * Unit square to the disk inscribed in it, areas kept.
- * Shirley and Chiu 1997, "A low distortion map between disk and square".
+ * Maps the unit square to its inscribed disk, preserving areas. Shirley and Chiu 1997, "A low
+ * distortion map between disk and square".
  */
 inline void SquareToDisk(double& u, double& v)
 {
@@ -43,7 +46,7 @@ inline void SquareToDisk(double& u, double& v)
 }
 
 /**
- * Direction i of n, spread evenly over the cone about -z whose cosine is given (-1: all
+ * Returns direction i of n, spread evenly over the cone about -z of this cosine (-1: all
  * directions): a Fibonacci lattice on the sphere, Swinbank and Purser 2006, "Fibonacci grids". No
  * direction lies on the cone's rim.
  */
@@ -57,11 +60,11 @@ inline glm::dvec3 DirectionInCone(int i, int n, double cosCone)
 
 ///@{
 /**
- * Point i of a sequence in the unit square, [0,1), one of independent ones by their seeds. All
- * points before a power of two are spread as evenly as can be, so a longer sequence only adds to a
- * shorter one. Sobol's first two coordinates, their digits and their order scrambled: Owen 1995,
- * "Randomly permuted (t,m,s)-nets and (t,s)-sequences"; by hashes as in Burley 2020, "Practical
- * hash-based Owen scrambling".
+ * Returns point i of a sequence in the unit square, [0,1); different seeds give independent
+ * sequences. All points before a power of two are spread as evenly as possible, so a longer
+ * sequence only adds points to a shorter one. The sequence has Sobol's first two coordinates, with
+ * digits and order scrambled: Owen 1995, "Randomly permuted (t,m,s)-nets and (t,s)-sequences"; by
+ * hashes as in Burley 2020, "Practical hash-based Owen scrambling".
  */
 inline std::uint32_t ReverseBits(std::uint32_t x)
 {
@@ -81,7 +84,7 @@ inline std::uint32_t Hash(std::uint32_t x)
   return x ^ (x >> 16u);
 }
 
-/** Each digit is turned or not by those before it: the highest ones decide first. */
+/** Flips each digit or not, as decided by the higher digits. */
 inline std::uint32_t ScrambleDigits(std::uint32_t x, std::uint32_t seed)
 {
   x = ReverseBits(x) + seed;
@@ -106,7 +109,7 @@ inline glm::dvec2 ScrambledPoint(std::uint32_t i, std::uint32_t seed)
 }
 ///@}
 
-/** PCG32, O'Neill 2014; [0,1). */
+/** The generator PCG32, O'Neill 2014; numbers in [0,1). */
 class Random
 {
 public:

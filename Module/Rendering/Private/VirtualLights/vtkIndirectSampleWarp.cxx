@@ -26,7 +26,7 @@ const vtkIndirectChannel SampleChannels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// No cone of light: a map of one face.
+// A map of one face has no cone of light.
 constexpr float OneFace = 2.0f;
 }
 
@@ -40,7 +40,7 @@ vtkIndirectSampleWarp::vtkIndirectSampleWarp()
 vtkIndirectSampleWarp::~vtkIndirectSampleWarp() = default;
 
 //------------------------------------------------------------------------------
-// A chart a light; returns false, after an error, when OpenGL refuses.
+// Makes a chart for each light; returns false, after an error, when OpenGL refuses.
 bool vtkIndirectSampleWarp::UpdateCharts(
   vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps)
 {
@@ -56,7 +56,7 @@ bool vtkIndirectSampleWarp::UpdateCharts(
     charts.insert(charts.end(),
       { static_cast<float>(map.FirstLayer), faces ? static_cast<float>(cone) : OneFace, 0.0f,
         0.0f });
-    // A sphere in a square as fine as in the middles of a cube's faces.
+    // A sphere in a square has to be as fine as the middles of a cube's faces.
     edge = std::max(edge, maps.GetTexels() * (faces ? 2 : 1));
     this->Strongest =
       std::max({ this->Strongest, map.Light.Color.x, map.Light.Color.y, map.Light.Color.z });

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws samples from the texels of lights' maps that send light: warps an even pattern by sums over
-// squares of texels (vtkIndirectLibImportance.glsl). All on the card; nothing is read back.
+// squares of texels (vtkIndirectLibImportance.glsl). All work is done on the GPU; nothing is read
+// back.
 //
-// A map of one face is drawn from as it is, one of several faces by a chart of its directions.
-// Nodes of four cells and their sums lie in two textures, level by level in turn, so that none is
-// read while it is drawn to.
+// A map of one face is sampled directly, a map of several faces by a chart of its directions. Nodes
+// of four cells and their sums lie in two textures, which alternate from level to level, so that no
+// texture is read while it is drawn to.
 #ifndef vtkIndirectSampleWarp_h
 #define vtkIndirectSampleWarp_h
 
@@ -25,15 +26,16 @@ public:
   ~vtkIndirectSampleWarp();
 
   /**
-   * Cells along the edge of a chart at most: of larger maps one texel stands for several. Drawing
-   * from all of 512 x 512 takes Mesa's llvmpipe 18 ms each time that a map changes, 1024 x 1024
-   * directions 86; what these leave less of is a thousandth of the flux.
+   * Largest number of cells along the edge of a chart: one texel represents several texels of
+   * larger maps. Drawing from all of 512 x 512 takes Mesa's llvmpipe 18 ms each time that a map
+   * changes, from 1024 x 1024 directions 86 ms; the surfaces that this size resolves too coarsely
+   * send a thousandth of the flux.
    */
   static constexpr int MostCells = 256;
 
   /**
-   * Brings the samples up to date: those of the pattern, whose layers are charts, as samples of
-   * texels. Returns false, after an error, when OpenGL refuses.
+   * Brings the samples up to date: turns the pattern's samples, whose layers are charts, into
+   * samples of texels. Returns false, after an error, when OpenGL refuses.
    */
   bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
     const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
@@ -57,7 +59,7 @@ private:
     int parity, vtkShaderProgram* program, const char* lit, const char* flux) const;
   int FindLevelWidth(int level) const { return this->Columns * (this->Cells / 2) >> level; }
 
-  // What the nodes were made of.
+  // The inputs of the nodes.
   vtkMTimeType MapTime = 0;
   bool WithFlux = false;
   double Occlusion = 0.0;
@@ -65,9 +67,9 @@ private:
   std::vector<float> Charts; // four numbers each
   int Cells = 2;             // along an edge of a chart, a power of two
   int Levels = 1;
-  int Columns = 1; // of charts
+  int Columns = 1; // columns of charts
   int Rows = 1;
-  double Strongest = 1.0; // of the lights
+  double Strongest = 1.0; // strength of the strongest light
   vtkSmartPointer<vtkTextureObject> ChartTexture;
   vtkIndirectTarget Even;
   vtkIndirectTarget Odd;

@@ -88,7 +88,8 @@ vtkIndirectTarget& vtkIndirectSampler::BeginChange()
 }
 
 //------------------------------------------------------------------------------
-// source: the light of the scene that the lights are of; below zero: these are branches.
+// Fills a table. source: number of the lights' source in the scene; below zero: the rows are
+// branches.
 void vtkIndirectSampler::Fill(vtkIndirectTarget& table, const std::vector<Row>& rows, double source)
 {
   const size_t places = static_cast<size_t>(table.GetWidth()) * table.GetHeight();
@@ -130,7 +131,7 @@ bool vtkIndirectSampler::Write(
   {
     return false;
   }
-  // The numbers of the sources before this one are those of the frame's lights.
+  // The numbers before this source belong to the frame's lights.
   Fill(this->BeginChange(), lights, static_cast<double>(frame.Lights.size()));
   if (!this->WriteLobes(frame.Window, lights))
   {

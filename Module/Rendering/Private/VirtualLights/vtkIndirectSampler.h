@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sampler of virtual lights as the pipeline sees it: the table of its lights, the time at which
-// they last changed, and its abilities. A vtkVirtualLightSampler holds the user's settings and one
-// of these, which makes the lights; the pipeline has further ones of its own.
+// A sampler of virtual lights as the pipeline sees it: the table of its lights, the time of their
+// last change, and its abilities. A vtkVirtualLightSampler holds the user's settings and an object
+// of this class, which makes the lights; the pipeline has further objects of its own.
 #ifndef vtkIndirectSampler_h
 #define vtkIndirectSampler_h
 
@@ -25,34 +25,37 @@ struct vtkIndirectFrame;
 struct vtkIndirectFurtherSenders;
 struct vtkIndirectReport;
 
-/** The properties of a sampler that decide what surrounds it in a frame. */
+/** The properties of a sampler that the rest of a frame depends on. */
 struct vtkIndirectSamplerAbilities
 {
-  /** Lights that are asked for. As many are made of the sky and of area lights together, and of
-   * each body of glass. */
+  /**
+   * Wanted number of lights. The sky and area lights together get as many, and so does each body
+   * of glass.
+   */
   int NumberOfLights = 256;
   bool Directions = false;   // lights may be directions, which costs estimators a little more
   bool Walks = false;        // rays through the scene find lights of all bounces; no map is read
-  bool TakesSenders = false; // the lights also stand for the further senders that it is given
+  bool TakesSenders = false; // the lights also represent given further senders
   bool Divides = false;      // the lights have branches, which near receivers sum in their place
   bool HasMore = false;      // a still frame of the same scene would have more lights than the last
+                             // frame
 };
 
 class vtkIndirectSampler
 {
 public:
-  /** Holds also the vtkVirtualLightSampler, where the lights are made for one. */
+  /** The pointer also holds the vtkVirtualLightSampler if the lights are made for one. */
   using Pointer = std::shared_ptr<vtkIndirectSampler>;
 
-  /** The material of a frame's lights. */
+  /** The data that a frame's lights are made from. */
   struct Input
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectLightMaps& Maps;          // without maps where the frame has none
     const vtkIndirectGeometryBuffer& Geometry; // surfaces that the eye sees
     double ErrorTolerance = 0.02;              // of the irradiance, over its mean
-    int NumberOfBounces = 1;                   // asked for, for samplers that know several
-    bool Interactive = false;                  // the window gives a frame a second or less
+    int NumberOfBounces = 1;  // wanted number, for samplers that find several bounces
+    bool Interactive = false; // the window's rate is a frame a second or more
     /** The sky and area lights, which light surfaces besides the frame's lights. */
     const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
     /** The scene's surfaces, up to date for samplers that walk. */
@@ -61,24 +64,28 @@ public:
     const vtkIndirectFurtherSenders* Further = nullptr;
   };
 
-  /** Channels of the table, a texel a light; empty places have no density. */
+  /** Channels of the table, with a texel for each light; empty places have no density. */
   enum Channel
   {
     PositionArea, // scene units; or unit direction to the light, minus its solid angle
-    NormalReach,  // of the sender, unit; distance within which its branches are summed, 0: none
+    NormalReach,  // unit normal of the sender; distance within which its branches are summed, 0:
+                  // none
     DensityArea   // reflected radiance times area, or radiance times solid angle; source, or of
                   // branches the blunt area (vtkiFindPatchLight)
   };
-  /** Channels of the table of lobes, a texel a light; lights without a lobe have no density. */
+  /**
+   * Channels of the table of lobes, with a texel for each light; lights without a lobe have no
+   * density.
+   */
   enum LobeChannel
   {
-    LobeDirectionExponent, // unit direction in which most is sent; exponent
+    LobeDirectionExponent, // unit direction of the greatest radiance; exponent
     LobeDensityArea        // flux over the hemisphere, in the unit of DensityArea's; 0
   };
   /** Lights in a row of the table. */
   static constexpr int RowLength = 256;
 
-  /** A light as the table has it, in scene units. */
+  /** A light's row of the table, in scene units. */
   struct Row
   {
     double Position[3];
@@ -86,84 +93,88 @@ public:
     double Normal[3];
     double DensityArea[3];
     double Reach = 0.0;
-    double BluntArea = 0.0; // of a branch
-    /** Unit; this and the next two are the lobe's. Without density there is none. */
+    double BluntArea = 0.0; // only for a branch
+    /** Unit; this and the next two are the lobe's. Without density there is no lobe. */
     double LobeDirection[3] = { 0.0, 0.0, 1.0 };
     double LobeExponent = 0.0;
     double LobeDensityArea[3] = { 0.0, 0.0, 0.0 };
   };
 
-  /** owner: the public object that holds it; null for the pipeline's own samplers. */
+  /** owner: the public object that holds this one; null for the pipeline's own samplers. */
   explicit vtkIndirectSampler(vtkVirtualLightSampler* owner = nullptr);
   virtual ~vtkIndirectSampler();
   vtkIndirectSampler(const vtkIndirectSampler&) = delete;
   void operator=(const vtkIndirectSampler&) = delete;
 
-  /** The lights of a public sampler, which is held as long as they are; null for null. */
+  /** Returns the lights of a public sampler, which they keep alive; null for null. */
   static Pointer Get(vtkVirtualLightSampler* sampler);
 
   /**
-   * Lets go of all graphics resources when the window's context ends, and at once of those of
-   * another window. To be called in every frame, before Update.
+   * Makes the sampler release all graphics resources when the window's context ends, and at once if
+   * they are of another window. Must be called in every frame, before Update.
    */
   void HoldContext(vtkOpenGLRenderWindow* window);
-  /** Gives back what it holds in the window's context; without a window nothing happens. */
+  /** Releases all resources in the window's context; does nothing without a window. */
   void Release(vtkWindow* window);
 
-  /** Brings the lights up to date. Returns false, after an error, when it cannot. */
+  /** Brings the lights up to date. Returns false, after an error, when that fails. */
   virtual bool Update(const Input& input) = 0;
-  /** Default: the owner's number of lights, and nothing else. */
+  /** Returns the abilities. Default: the owner's number of lights, and nothing else. */
   virtual vtkIndirectSamplerAbilities GetAbilities() const;
-  /** Finds senders for samplers that take some, and makes no lights of them; null: it cannot. */
+  /**
+   * Finds senders for samplers that take some, and makes no lights of them; returns null if the
+   * sampler cannot.
+   */
   virtual const vtkIndirectFurtherSenders* UpdateSenders(const Input&) { return nullptr; }
   /**
-   * Makes the pattern by which lights are taken from the surfaces that the eye sees where a
-   * headlight is the only light; null: the pipeline's own pattern does.
+   * Makes the pattern that draws lights from the surfaces that the eye sees, for a headlight that
+   * is the only light; null: the pipeline's own pattern is used.
    */
   virtual vtkIndirectMapSampler* GetViewPattern() { return nullptr; }
-  /** Says what the last frame's lights were made of. Default: nothing. */
+  /** Adds the sources of the last frame's lights to the report. Default: nothing. */
   virtual void AddToReport(vtkIndirectReport&) const {}
-  /** Bytes of textures and buffers. */
+  /** Returns the bytes of textures and buffers. */
   virtual size_t GetBytes() const;
 
-  /** Number of lights in the last frame. */
+  /** Returns the number of lights in the last frame. */
   int GetActualNumberOfLights() const { return this->NumberOfLights; }
   const vtkIndirectTarget& GetTable() const { return this->Table; }
   /**
-   * The nodes of a tree below the lights, vtkIndirectKernels::VTKI_BRANCHES a light; null where no
-   * light has any.
+   * Returns the nodes of a tree below the lights, vtkIndirectKernels::VTKI_BRANCHES for each light;
+   * null if no light has branches.
    */
   const vtkIndirectTarget* GetBranches() const { return this->Branches.get(); }
   /**
-   * The lights' specular lobes, in the places of their lights; null where none has one. A receiver
-   * gets of a lobe what vtkiSenderLobeWeight says (vtkIndirectLibSenderLobe.glsl).
+   * Returns the lights' specular lobes, in the order of the lights; null if no light has a lobe.
+   * vtkiSenderLobeWeight gives the light that a receiver gets from a lobe
+   * (vtkIndirectLibSenderLobe.glsl).
    */
   const vtkIndirectTarget* GetLobes() const { return this->Lobes.get(); }
-  /** Grows whenever the lights have changed, or have been released. */
+  /** Grows whenever the lights change or are released. */
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
   /** Grows with the owner's settings. */
   vtkMTimeType GetSettingsTime() const;
 
 protected:
-  /** Gives back the resources of a subclass, in the context of this window. */
+  /** Releases the resources of a subclass, in the context of this window. */
   virtual void ReleaseOwn(vtkWindow*) {}
   /** Makes room in the table. Returns false, after an error, when OpenGL refuses. */
   bool Resize(vtkOpenGLRenderWindow* window, int numberOfLights);
-  /** The table, to be filled; then the lights have changed. */
+  /** Returns the table, to be filled, and marks the lights as changed. */
   vtkIndirectTarget& BeginChange();
   /**
-   * Makes these the lights, of a source that is no vtkLight, with the branches of all of them or
-   * none, and with lobes where one of the lights has one; branches have none. Returns false, after
-   * an error, when OpenGL refuses.
+   * Replaces the lights by these, of a source that is not a vtkLight. The branches are those of all
+   * lights, or empty. Lobes are written if one of the lights has a lobe; branches have no lobes.
+   * Returns false, after an error, when OpenGL refuses.
    */
   bool Write(const vtkIndirectFrame& frame, const std::vector<Row>& lights,
     const std::vector<Row>& branches = {});
   /**
-   * Room for the lobes of the lights that Resize made room for, to be filled; null, after an error,
-   * when OpenGL refuses.
+   * Makes room for the lobes of as many lights as Resize made room for, and returns it to be
+   * filled; returns null, after an error, when OpenGL refuses.
    */
   vtkIndirectTarget* MakeLobes(vtkOpenGLRenderWindow* window);
-  /** From now on no light has a lobe. */
+  /** Removes the lobes of all lights. */
   void ReleaseLobes(vtkWindow* window);
 
 private:

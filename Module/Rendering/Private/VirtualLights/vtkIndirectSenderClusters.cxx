@@ -14,23 +14,24 @@
 
 namespace
 {
-// What a unit of normal counts in scene units: surfaces that face each other lie apart like the
+// The length of a unit normal in scene units: surfaces that face each other are as far apart as the
 // ends of half a scene.
 constexpr double NormalLength = 0.25;
 
-// How far before its mean a cluster is looked at from, in standard deviations of its places: about
-// where the higher one of two random places is. What is seen of folds, organs and atoms is what
-// lies in front; from their mean, in a furrow, they would send light into the furrow alone.
+// The distance from a cluster's mean to the place in front of it where its middle is sought, in
+// standard deviations of its places: about the higher one of two random places. Receivers see the
+// front parts of folds, organs and atoms; lights at their mean, in a furrow, would light the furrow
+// alone.
 constexpr double Forward = 0.5;
 
-// What is left of a mean normal at least, so that it has a direction.
+// Least length of a mean normal, so that it has a direction.
 constexpr double LeastNormal = 0.01;
 
-// By how much more than diffuse light a lobe counts the turn of normals.
+// How much more a lobe counts the turn of normals than diffuse light does.
 constexpr double LobeTurn = 3.0;
 
-// By how much one choice has to be better than another to be taken in its place. Texels in rows
-// have many choices that are the same but for rounding, which must not decide: lights would jump.
+// How much better a choice must be to replace another one. Texels in rows have many choices that
+// are equal except for rounding; if rounding decided, lights would jump.
 constexpr double Margin = 0.01;
 
 double Sum(const glm::dvec3& light)
@@ -38,10 +39,10 @@ double Sum(const glm::dvec3& light)
   return light.x + light.y + light.z;
 }
 
-// How bright light is in this scene: what would fall on the sides of the box around the senders if
-// none of their light left it. Exact in a closed box. Of what the lights in rooms and on parts give
-// each other it is 0.8 to 2 times, on open ground more; and it is there where they face away from
-// each other.
+// Returns a scale of the scene's irradiance: the irradiance on the sides of the box around the
+// senders if none of their light left the box. It is exact in a closed box. It is 0.8 to 2 times
+// the irradiance that lights in rooms and on parts give each other, and more on open ground; it is
+// positive even if the lights face away from each other.
 double FindMeanIrradiance(const std::vector<vtkIndirectSenderClusters::Sender>& senders,
   const std::vector<vtkIndirectSenderClusters::Light>& lights)
 {
@@ -62,8 +63,9 @@ double FindMeanIrradiance(const std::vector<vtkIndirectSenderClusters::Sender>& 
   return sides > 0.0 ? flux / sides : 0.0;
 }
 
-// A cluster's mean place, as far as it lies beside its middle texel or before it, where a bowl's
-// is: that moves smoothly with a light, from texel to texel it would jump. Behind it is the body.
+// Returns a cluster's mean place, as far as it lies beside its middle texel or in front of it,
+// where a bowl's mean is. It moves smoothly with a light; a place at texels would jump. A mean
+// behind the texel would lie in the body, so that part is dropped.
 glm::dvec3 FindPlace(const vtkIndirectSenderClusters::Sender& middle, const glm::dvec3& mean)
 {
   const glm::dvec3 place(middle.Position);
@@ -75,10 +77,11 @@ glm::dvec3 FindPlace(const vtkIndirectSenderClusters::Sender& middle, const glm:
   return length > pitch ? place + (pitch / length) * step : place + step;
 }
 
-// What vtkiFindPatchLight is told of a node. Folded surfaces have more area than their light's
-// variance; where it has more than twice theirs they are strewn, not stretched. A lobe would be
-// seen to be wider than its surface. A node can go forward, away from its surface; behind that its
-// depth map would be drawn within the body, and it would light the other side of a sheet.
+// Makes the patch of a node for vtkiFindPatchLight. Folded surfaces have more area than the
+// variance of their light suggests. A surface whose light has more than twice the variance of its
+// area is scattered, not stretched. A lobe of a patch wider than its surface would be visible. A
+// node may move forward, away from its surface; behind the surface its depth map would be drawn
+// within the body, and it would light the other side of a sheet.
 void MakePatch(vtkIndirectSenderClusters::Light& light)
 {
   const double most = Sum(light.LobeDensityArea) > 0.0 ? 1.0 : 2.0;
@@ -87,7 +90,7 @@ void MakePatch(vtkIndirectSenderClusters::Light& light)
   light.Shift = 0.0;
 }
 
-// How much light each map has, over the mean of those that have any, in powers of four.
+// Returns each map's light over the mean of the maps with light, rounded to powers of four.
 std::vector<double> FindWeights(const std::vector<glm::dvec3>& strengths)
 {
   double total = 0.0;
@@ -111,8 +114,8 @@ std::vector<double> FindWeights(const std::vector<glm::dvec3>& strengths)
 void vtkIndirectSenderClusters::RemoveOutermost(
   std::vector<Sender>& senders, const std::vector<glm::vec3>& places)
 {
-  // The hull's corners as far as they are the farthest places in one of these directions; of what
-  // is round between them little is lost, nothing of boxes.
+  // Finds corners of the hull: the farthest places in these directions. Round hulls lose little by
+  // that, boxes nothing.
   constexpr int directions = 128;
   std::vector<glm::vec3> corners;
   for (const glm::dvec3& exact : vtkIndirectDirections::MakeLattice(directions))
@@ -134,7 +137,7 @@ void vtkIndirectSenderClusters::RemoveOutermost(
       corners.push_back(*corner);
     }
   }
-  // Steps of packed normals, along a scene of length one.
+  // The rounding of packed normals, along a scene of length one.
   constexpr float rounding = 2.6e-4f;
   const auto outermost = std::remove_if(senders.begin(), senders.end(),
     [&](const Sender& sender)
@@ -198,9 +201,10 @@ vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
       cluster.Axis = axis;
     }
   }
-  // A place beyond the mean, where texels in rows do not end.
+  // The border lies a little beyond the mean, where no rows of texels end.
   cluster.Border = cluster.Mean[cluster.Axis] + Margin * std::sqrt(widest / total);
-  // Steps of a hundredth, of a logarithm that an odd number moves away from what is usual.
+  // The order has steps of a hundredth; the odd offset moves usual values of the logarithm off the
+  // steps' borders.
   cluster.Order = cluster.Width > 0.0 ? std::floor(std::log(cluster.Width) / Margin + 0.37) : -1e9;
   return cluster;
 }
@@ -236,8 +240,8 @@ uint32_t vtkIndirectSenderClusters::FindMiddle(const Cluster& cluster) const
 }
 
 //------------------------------------------------------------------------------
-// Clusters of some of the entries, in their order. No more than `least` where these are near
-// enough.
+// Divides some of the entries into clusters, in their order. Makes no more than `least` clusters
+// once these are near enough.
 std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divide(
   size_t begin, size_t end, size_t least, size_t most)
 {
@@ -251,7 +255,7 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
     }
     return clusters;
   }
-  // The widest first; of those that are as good as equal the first in order.
+  // The widest cluster comes first, and among nearly equal ones the first in order.
   auto narrower = [&clusters](size_t a, size_t b) {
     return clusters[a].Order != clusters[b].Order ? clusters[a].Order < clusters[b].Order : a > b;
   };
@@ -277,7 +281,7 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
     const size_t border = static_cast<size_t>(middle - first);
     if (border == cluster.Begin || border == cluster.End)
     {
-      continue; // all at one place, but for rounding: it stays as it is
+      continue; // all texels are at one place, except for rounding: the cluster stays whole
     }
     clusters[top] = this->Measure(cluster.Begin, border);
     clusters.push_back(this->Measure(border, cluster.End));
@@ -309,7 +313,7 @@ void vtkIndirectSenderClusters::DivideAll(
     const double weight = sent * weights[static_cast<size_t>(s.Map)];
     if (weight > 0.0)
     {
-      // What is mirrored turns by twice as much as the normal.
+      // A mirrored direction turns twice as much as the normal.
       const auto turn = static_cast<float>(NormalLength * (1.0 + LobeTurn * lobe / sent));
       this->Entries.push_back({ { s.Position.x, s.Position.y, s.Position.z, turn * s.Normal.x,
                                   turn * s.Normal.y, turn * s.Normal.z },
@@ -330,10 +334,10 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   std::vector<double> sums(maps, 0.0);
   glm::dvec3 normal(0.0);
   const glm::dvec3 place(cluster.Mean[0], cluster.Mean[1], cluster.Mean[2]);
-  // Sums of what is sent, times the following.
+  // Sums of sent light, times the following quantities.
   double turned = 0.0;    // normals by places
   double within = 0.0;    // areas of senders
-  double smoothing = 0.0; // theirs
+  double smoothing = 0.0; // blunt shares of senders
   for (size_t i = cluster.Begin; i < cluster.End; ++i)
   {
     const Sender& sender = this->Senders[this->Entries[i].Sender];
@@ -348,8 +352,8 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     areas[map] += sender.Area;
     sums[map] += all;
   }
-  // Each map's texels cover the surface once. A map may see a part of it: those that light most of
-  // it count most.
+  // Each map's texels cover the surface once. A map may see only a part of the surface: maps that
+  // light most of it count most.
   double total = 0.0;
   double area = 0.0;
   for (size_t map = 0; map < maps; ++map)
@@ -359,7 +363,7 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   }
   const Sender& middle = this->Senders[cluster.Middle];
   light.Position = FindPlace(middle, place);
-  // Normals that cancel out are those of the middle, all but.
+  // Normals that cancel out are replaced by that of the middle.
   const glm::dvec3 mean = total > 0.0 ? normal / total : glm::dvec3(middle.Normal);
   light.Normal = glm::length(mean) > LeastNormal ? mean : LeastNormal * glm::dvec3(middle.Normal);
   light.Area = static_cast<double>(middle.Area);
@@ -368,9 +372,9 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     light.Area = area / total;
     light.Stretched = 6.0 * cluster.Spread + within / total;
     light.BluntArea = std::min(light.Area, light.Stretched) * smoothing / total;
-    // On a bowl a patch is seen as if its mean place lay once more as far before the surface,
-    // behind it on a ball: what the covariance of normals and places adds to the mean of the
-    // weights.
+    // The covariance of normals and places adds to the mean of the weights: a patch on a bowl
+    // appears as if its mean place lay twice as far before the surface, a patch on a ball as if it
+    // lay twice as far behind it.
     const double bend = -0.5 * turned / total;
     this->CloseBowl(cluster, strengths, light);
     const double length = glm::length(light.Normal);
@@ -382,18 +386,18 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
 }
 
 //------------------------------------------------------------------------------
-// In a bowl no place sees another from behind: what differs between its normals spreads no light to
-// behind its mean plane, and it sends the light of its opening. So as far as normals turn towards
-// each other the mean normal is as long as one normal, and the light that much less. On a ball, and
-// where places and normals have nothing to do with each other, it stays as it is; so does what is
-// more than half a sphere, which is seen from within.
+// Corrects the light of a bowl. In a bowl no place sees another from behind: the spread of its
+// normals sends no light behind its mean plane, and the bowl sends the light of its opening. So, as
+// far as normals turn towards each other, the mean normal is lengthened to one and the light is
+// reduced by the same factor. A ball stays as it is, as do surfaces whose places and normals are
+// unrelated, and bowls of more than half a sphere, which are seen from within.
 void vtkIndirectSenderClusters::CloseBowl(
   const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const
 {
   const glm::dvec3 place(cluster.Mean[0], cluster.Mean[1], cluster.Mean[2]);
-  // Sums of what is sent, times the following.
-  double turned = 0.0; // how far normals turn from their mean, times places along that
-  double turns = 0.0;  // squares of these
+  // Sums of sent light, times the following quantities.
+  double turned = 0.0; // turn of normals from their mean, times places along that turn
+  double turns = 0.0;  // squares of the turns
   double places = 0.0;
   for (size_t i = cluster.Begin; i < cluster.End; ++i)
   {
@@ -422,8 +426,8 @@ void vtkIndirectSenderClusters::CloseBowl(
 }
 
 //------------------------------------------------------------------------------
-// The mean direction, and an exponent of the variance about it: of directions among each other, and
-// of each lobe, 1 / exponent along either axis.
+// Adds a lobe of the mean direction, with an exponent from the variance about it: the variance of
+// the directions, plus that of each lobe, 1 / exponent along either axis.
 void vtkIndirectSenderClusters::AddLobe(
   const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const
 {
@@ -458,15 +462,16 @@ void vtkIndirectSenderClusters::AddLobe(
   }
   const double length = glm::length(direction) / total;
   light.LobeDirection = length > LeastNormal ? glm::normalize(direction) : fallback;
-  // That of the directions all along one axis, as where a mirror is curved along one.
+  // The variance of the directions counts along one axis, as where a mirror is curved along one
+  // axis.
   const double variance = width / total + std::max(1.0 - length * length, 0.0);
   light.LobeExponent = std::max(1.0 / variance - 1.0, 0.0);
 }
 
 //------------------------------------------------------------------------------
-// Within which distance a node's error is more than the limit. It gives E = DA / (pi d^2) at most,
-// of which a share of about (s / d)^4 is wrong, s the root mean square distance of its light from
-// its mean place.
+// Returns the distance within which a node's error exceeds the limit. The node gives at most E = DA
+// / (pi d^2), of which a share of about (s / d)^4 is wrong; s is the root mean square distance of
+// its light from its mean place.
 double vtkIndirectSenderClusters::FindReach(
   const Light& light, const Cluster& cluster, double limit)
 {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A few virtual lights for the texels of many maps: places that several maps see are one sender
+// A few virtual lights for the texels of many maps. Places that several maps see are one sender
 // with the light of all of them. The lights are nodes of a tree over the texels (Walter, Fernandez,
-// Arbree, Bala, Donikian, Greenberg 2005, "Lightcuts"), and below each are two more generations of
-// nodes, its branches, for receivers that are too near for a single light.
+// Arbree, Bala, Donikian, Greenberg 2005, "Lightcuts"), and below each light are two more
+// generations of nodes, its branches, for receivers that are too near for a single light.
 //
-// Texels are divided, always those whose light lies farthest from its mean, by place and normal
-// alike, until there are as many clusters as lights. A cluster's light is the sum of its texels',
-// so no light is lost; it comes from a texel near its mean, a little before it.
+// The texels whose light lies farthest from its mean, by place and normal alike, are divided until
+// there are as many clusters as lights. A cluster's light is the sum of its texels' light, so no
+// light is lost; it comes from a place near its mean texel, a little before it.
 //
-// Which texels are together follows how much light each map has in steps only: a sky that changes a
-// little moves no virtual light, so that what is kept by their places stays.
+// The clusters depend on the maps' light in coarse steps only. A sky that changes a little moves no
+// virtual light, so data that are kept by the lights' places stay valid.
 #ifndef vtkIndirectSenderClusters_h
 #define vtkIndirectSenderClusters_h
 
@@ -27,10 +27,10 @@ public:
     glm::vec3 Position; // scene units
     glm::vec3 Normal;
     float Area;
-    glm::vec3 Reflected; // density times area, of a light of strength one
+    glm::vec3 Reflected; // density times area, under a light of strength one
     int Map;
-    float Smoothing = 1.0f; // the blunt area of a leaf that it is in, over its area
-    // Of what it reflects specularly, where it does.
+    float Smoothing = 1.0f; // blunt area of its leaf over the leaf's area
+    // The lobe of specular reflection, if there is one.
     glm::vec3 LobeDirection{ 0.0f, 0.0f, 1.0f };
     float LobeExponent = 0.0f;
     glm::vec3 LobeReflected{ 0.0f };
@@ -39,25 +39,29 @@ public:
   struct Light
   {
     glm::dvec3 Position{ 0.0 };
-    /** The mean of what it stands for: shorter than one where that faces different ways. */
+    /** The mean normal of its senders: shorter than one if they face different ways. */
     glm::dvec3 Normal{ 0.0, 0.0, 1.0 };
-    double Area = 1.0;      // of the surface, or of a node the square that it sends light as
-    double Stretched = 1.0; // that of a square whose variance is the light's
-    double Shift = 0.0;     // how far before its place light comes from, in lengths of the normal
-    /** By which it is blunt to nearby receivers (vtkiFindPatchLight): that of the leaves
-     * around them, so that what is seen as whole farther off adds up with these. */
+    double Area = 1.0; // area of the surface; for a node the area of the square that represents it
+    double Stretched = 1.0; // area of a square whose variance is that of the light
+    double Shift = 0.0;     // distance from its place to the origin of its light, in lengths of the
+                            // normal
+    /**
+     * The area that makes it blunt to nearby receivers (vtkiFindPatchLight): that of the leaves
+     * around the receivers, so that nodes that are seen as a whole from farther off add up with
+     * these leaves.
+     */
     double BluntArea = 1.0;
     glm::dvec3 DensityArea{ 0.0 };
-    double Reach = 0.0; // nearer than this its branches are summed in its place
-    /** One for the lobes of what it stands for, of the same flux, as wide as they are together. */
+    double Reach = 0.0; // receivers nearer than this sum its branches in its place
+    /** One lobe in place of the lobes of its senders, with their flux and their total width. */
     glm::dvec3 LobeDirection{ 0.0, 0.0, 1.0 };
     double LobeExponent = 0.0;
     glm::dvec3 LobeDensityArea{ 0.0 };
   };
 
   /**
-   * Leaves out the senders that no surface lies before: those on the outside of all places' convex
-   * hull, such as the underside of a ground.
+   * Leaves out the senders that no surface can face: those on the outside of the convex hull of all
+   * places, such as the underside of a ground.
    */
   static void RemoveOutermost(std::vector<Sender>& senders, const std::vector<glm::vec3>& places);
 
@@ -69,37 +73,41 @@ public:
   {
     std::vector<Light> Tops;
     /**
-     * Those below each, vtkIndirectKernels::VTKI_BRANCHES of them a light: places that are left
-     * over send nothing and have a reach below zero. Empty where no light has any.
+     * The nodes below each light, vtkIndirectKernels::VTKI_BRANCHES for each: unused places send
+     * nothing and have a reach below zero. Empty if no light has branches.
      */
     std::vector<Light> Branches;
   };
 
   /**
-   * At most so many lights of the senders under lights of these strengths, one for each map; where
-   * `error` is not 0 as few as `least`, or half of them, once their light lies within `nearness` of
-   * what they stand for, root mean square. No senders, no lights; as many as there are senders,
-   * each of them is one. A light is divided where the error of having it whole is more than `error`
-   * of the mean irradiance that the lights give each other; 0: never.
+   * Makes at most `count` lights of the senders, under lights of these strengths, one for each map.
+   * If `error` is not 0, there may be as few as `least` lights, or half of them, once their light
+   * lies within `nearness` of the senders, root mean square. Without senders there are no lights;
+   * if there are no more senders than lights, each sender is a light. A light is divided where the
+   * error of the whole light exceeds `error` times the mean irradiance that the lights give each
+   * other; 0: never.
    */
   Lights MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error,
     double nearness = StandardNearness, int least = 0);
-  /** Enough along surfaces in one piece; many small objects take all lights. Scene units. */
+  /**
+   * This nearness suffices along connected surfaces; many small objects take all lights. Scene
+   * units.
+   */
   static constexpr double StandardNearness = 0.04;
-  /** Enough where later bounces spread light over all surfaces, smoothly. */
+  /** This nearness suffices where later bounces spread light smoothly over all surfaces. */
   static constexpr double NearnessOfBounces = 0.05;
 
   /**
-   * The error of a node for an error tolerance of the irradiance. A receiver sums several nodes
-   * that are hardly farther than their reach, and most of their errors have one sign: a third of
-   * the tolerance each keeps the mean within it.
+   * Returns the error of a node for an error tolerance of the irradiance. A receiver sums several
+   * nodes that are little farther than their reach, and most of their errors have the same sign: a
+   * third of the tolerance for each keeps the mean within it.
    */
   static double FindError(double tolerance) { return 0.35 * tolerance; }
 
   size_t GetBytes() const;
 
 private:
-  // Three of place, three of normal.
+  // Three axes of place, three of the normal.
   static constexpr int NumberOfAxes = 6;
   struct Entry
   {
@@ -109,13 +117,13 @@ private:
   };
   struct Cluster
   {
-    size_t Begin = 0; // of entries
+    size_t Begin = 0; // first entry
     size_t End = 0;
-    uint32_t Middle = 0; // the sender nearest to the mean, or to half a deviation before it
+    uint32_t Middle = 0; // sender nearest to the mean, or to half a deviation in front of it
     double Mean[NumberOfAxes] = {};
-    int Axis = 0;        // along which it is widest
-    double Border = 0.0; // where it is divided along that
-    double Order = 0.0;  // of its width: larger ones are divided first
+    int Axis = 0;        // axis along which it is widest
+    double Border = 0.0; // place along Axis at which it is divided
+    double Order = 0.0;  // rank of its width: larger ones are divided first
     double Width = 0.0;  // light times squared distance from the mean
     double Spread = 0.0; // mean squared distance of the light's places from their mean
   };
@@ -134,22 +142,22 @@ private:
     size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all);
 
   std::vector<Sender> Senders;
-  std::vector<double> Weights; // of maps
+  std::vector<double> Weights; // weights of maps
   int Count = 0;
   size_t Least = 1;
   double Nearness = 0.0;
-  bool Divides = false; // into branches
+  bool Divides = false; // true if lights are divided into branches
   std::vector<Entry> Entries;
   std::vector<Cluster> Clusters;
 };
 
-/** Senders of other surfaces than those that maps show. */
+/** Senders of surfaces that are not in the maps. */
 struct vtkIndirectFurtherSenders
 {
-  /** Map: what covers each surface once, numbered from zero. */
+  /** Map: the number, from zero, of a set of senders that covers each surface once. */
   std::vector<vtkIndirectSenderClusters::Sender> Senders;
   size_t NumberOfMaps = 0;
-  size_t Time = 0; // grows whenever they have changed
+  size_t Time = 0; // grows whenever the senders change
 };
 
 #endif

@@ -13,9 +13,9 @@
 
 namespace
 {
-// Along an edge of a map. See Documentation/methods/reflective-shadow-maps.md.
+// Texels along an edge of a map. See Documentation/methods/reflective-shadow-maps.md.
 constexpr int TexelsOfMaps = 64;
-// Maps of directions without light go when there are more than this.
+// Maps of directions without light are dropped if there are more maps than this.
 constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
 
 vtkIndirectEmitters::List::iterator Find(vtkIndirectEmitters::List& emitters, int number)
@@ -51,7 +51,7 @@ void vtkIndirectSenderSampler::Follow(const vtkIndirectSamplerAbilities& sampler
 }
 
 //------------------------------------------------------------------------------
-// Returns whether a caster has changed.
+// Returns true if a caster has changed.
 bool vtkIndirectSenderSampler::UpdateScene(const vtkIndirectFrame& frame)
 {
   vtkIndirectKey key;
@@ -68,8 +68,8 @@ bool vtkIndirectSenderSampler::UpdateScene(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Emitters keep their places while their maps hold, also those whose light has gone: while a sky
-// turns it redraws nothing, but for what moves with it, as a sun does.
+// Sets the emitters. Emitters keep their places while their maps are valid, even without light: a
+// turning sky redraws no maps, except those of moving emitters such as a sun.
 void vtkIndirectSenderSampler::SetEmitters(
   const vtkIndirectEmitters::List& emitters, const vtkIndirectKey& source)
 {
@@ -100,7 +100,8 @@ bool vtkIndirectSenderSampler::DrawMaps(
   const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture)
 {
   const bool anew = this->UpdateScene(frame) || !this->MapsAreThere || !plan.Caching;
-  // A scene that has come to rest has the emitters of one that has always been so, in their order.
+  // A scene at rest takes exactly the given emitters in their order, so that the picture does not
+  // depend on its history.
   const bool rests = !plan.Interactive && !this->IsFresh && !frame.IsFurtherPart();
   this->IsFresh = false;
   if (rests &&
@@ -122,7 +123,7 @@ bool vtkIndirectSenderSampler::DrawMaps(
     return true;
   }
   this->EmittersHaveMoved = false;
-  // The same scene under other lights.
+  // The maps are drawn of the same scene under the emitters' lights.
   vtkIndirectFrame scene = frame;
   vtkIndirectPlan maps;
   maps.Caching = plan.Caching;
@@ -140,7 +141,7 @@ bool vtkIndirectSenderSampler::DrawMaps(
 }
 
 //------------------------------------------------------------------------------
-// The texels that send light, each once a map.
+// Reads the texels that send light, each once for a map.
 bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
 {
   std::vector<vtkIndirectSenderClusters::Sender> senders;
@@ -149,7 +150,7 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
   {
     return false;
   }
-  // Receivers that cast no shadows are in no map.
+  // Receivers that cast no shadows are missing from the maps.
   if (input.Frame.NumberOfOtherReceivers == 0)
   {
     vtkIndirectSenderClusters::RemoveOutermost(senders, places);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Virtual lights of surfaces that the sky and area lights shine on: maps of senders, seen from
-// directions of the sky and pieces of area lights, of which clusters of texels are lights. A map
-// sees what its emitter's light reaches, so nothing else sends.
+// Virtual lights of surfaces that the sky and area lights shine on. Maps of senders are drawn from
+// directions of the sky and pieces of area lights, and clusters of their texels become lights. A
+// map sees the surfaces that its emitter's light reaches, so no other surface sends.
 //
-// Maps are kept while the camera turns and where only radiances change; so are places of lights,
-// but where these change by more than a factor (vtkIndirectSenderClusters).
+// Maps are kept while the camera turns and while only radiances change. Places of lights are kept,
+// too, unless radiances change by more than a factor (vtkIndirectSenderClusters).
 #ifndef vtkIndirectSenderSampler_h
 #define vtkIndirectSenderSampler_h
 
@@ -25,10 +25,10 @@ struct vtkIndirectReport;
 class vtkIndirectSenderSampler : public vtkIndirectSampler
 {
 public:
-  /** Makes as many lights as the frame's sampler, and divides them where that does. */
+  /** Makes as many lights as the frame's sampler, and divides them if that sampler does. */
   void Follow(const vtkIndirectSamplerAbilities& sampler);
 
-  /** Whether the sampler has the emitters that were made of these inputs. */
+  /** Returns true if the sampler has the emitters that were made of these inputs. */
   bool Knows(const vtkIndirectKey& source) const { return source == this->Source; }
   /** Sets the frame's emitters, each of which sends light, and their inputs. */
   void SetEmitters(const vtkIndirectEmitters::List& emitters, const vtkIndirectKey& source);
@@ -41,7 +41,7 @@ public:
   bool Update(const Input& input) override;
 
   const vtkIndirectEmitters::List& GetEmitters() const { return this->Emitters; }
-  /** Grows with what lights are made from, but their number. */
+  /** Grows when the inputs of the lights change, except their number. */
   size_t GetSourceTime() const { return this->SourceTime; }
   long long GetNumberOfFacesDrawn() const;
   size_t GetBytes() const override;
@@ -58,20 +58,20 @@ private:
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
   int NumberOfLights = 256;
-  bool Divides = false; // whether the lights have branches
+  bool Divides = false; // true if the lights have branches
 
-  vtkIndirectEmitters::List Emitters; // by their maps; without light where it has gone
-  vtkIndirectEmitters::List Given;    // the frame's
-  bool IsFresh = false;               // whether they came since the maps were drawn
+  vtkIndirectEmitters::List Emitters; // in the order of their maps; dark ones have lost their light
+  vtkIndirectEmitters::List Given;    // emitters of the frame
+  bool IsFresh = false;               // true if Given was set since the maps were drawn
   vtkIndirectKey Source;              // the inputs of Given
-  bool EmittersHaveMoved = false;     // come, gone or moved since the maps were drawn
+  bool EmittersHaveMoved = false;     // true if emitters came, went or moved since then
 
   bool MapsAreThere = false;
   vtkIndirectKey Scene; // the casters that the maps show
   vtkMTimeType SendersTime = 0;
 
   size_t SourceTime = 0;
-  // These numbers tell what the lights were made from.
+  // These numbers identify the inputs of the lights.
   size_t MadeTime = 0;
   int MadeCount = 0;
 };

@@ -35,7 +35,7 @@ bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
     const float* n = &normal[4 * i];
     const float* d = &density[4 * i];
     const glm::vec3 place(p[0], p[1], p[2]);
-    if (place != glm::vec3(0.0f)) // the scene's centre, where there is nothing
+    if (place != glm::vec3(0.0f)) // empty texels hold the scene's centre
     {
       places.push_back(place);
     }

@@ -11,18 +11,20 @@
 class vtkIndirectSenderTexels
 {
 public:
-  /** Texels at most: of more, one of 2 x 2, 4 x 4, ... stands for these. */
+  /**
+   * Sets the largest number of texels: with more texels, one represents 2 x 2, 4 x 4, ... of them.
+   */
   void SetMostTexels(size_t count) { this->Texels.SetMostLights(count); }
 
   /**
-   * Those that send light, each once a map, with their light as the maps' lights have it; and the
-   * places of all that the maps see. Returns false, after an error, when OpenGL refuses. Nothing is
-   * held afterwards.
+   * Reads the texels that send light, each once for a map, with the light of the maps' lights; and
+   * the places of all surfaces that the maps see. Returns false, after an error, when OpenGL
+   * refuses. Holds no resources afterwards.
    */
   bool Read(const vtkIndirectSampler::Input& input,
     std::vector<vtkIndirectSenderClusters::Sender>& senders, std::vector<glm::vec3>& places);
 
-  /** The lights as rows of a sampler's table. */
+  /** Converts the lights to rows of a sampler's table. */
   static std::vector<vtkIndirectSampler::Row> MakeRows(
     const std::vector<vtkIndirectSenderClusters::Light>& lights);
 

@@ -7,8 +7,8 @@
 
 namespace
 {
-// Directions of which one may stand by itself; vtkIndirectSkyGather sums over as many, so that the
-// light of a sun is reflected from where it falls.
+// Number of directions that may become groups of their own. vtkIndirectSkyGather sums over as many,
+// so that the light of a sun is reflected at the place where it falls.
 constexpr int NumberOfFineDirections = 256;
 
 double Sum(const glm::dvec3& light)

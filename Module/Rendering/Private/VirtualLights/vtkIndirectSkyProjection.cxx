@@ -6,9 +6,9 @@
 
 namespace
 {
-// What a direction stands for is about a circle of its share of the sphere, over which the mean of
-// a uniform sky's directions has the length 1 - 1/count. Light is narrow where it is spread by half
-// of that or less: over a circle of 5 degrees of 256 directions.
+// A direction represents about a circle of its share of the sphere. The mean of a uniform sky's
+// directions over this circle has the length 1 - 1/count. Light is narrow if its spread is half of
+// that or less: for 256 directions, a circle of 5 degrees.
 constexpr double NarrowShare = 0.5;
 }
 

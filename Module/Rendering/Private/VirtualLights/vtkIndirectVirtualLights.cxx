@@ -63,7 +63,7 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
     this->WithDirections = this->WithDirections || sampler->GetAbilities().Directions;
     contents.emplace_back(sampler.get(), sampler->GetContentTime());
   }
-  // The newest of their times would hide that one has gone.
+  // The newest of the samplers' times would not reveal that a sampler has gone.
   if (contents != this->Contents)
   {
     this->Contents = std::move(contents);
@@ -239,7 +239,7 @@ void vtkIndirectVirtualLights::CopyLobes(const vtkIndirectFrame& frame, vtkImage
   for (int c = 0; c < channels; ++c)
   {
     const std::vector<float> values = this->CurrentLobes->ReadBack(c);
-    // Areas are the last channel's.
+    // Only the channel LobeDensityArea has areas.
     const double unit =
       c == vtkIndirectSampler::LobeDensityArea ? 1.0 / (frame.SceneScale * frame.SceneScale) : 1.0;
     for (size_t i = 0; i < static_cast<size_t>(this->NumberOfLights); ++i)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The virtual lights of a frame: those of one sampler, or of several one after the other.
+// The virtual lights of a frame: the lights of one sampler, or of several samplers one after the
+// other.
 #ifndef vtkIndirectVirtualLights_h
 #define vtkIndirectVirtualLights_h
 
@@ -23,57 +24,59 @@ public:
   vtkIndirectVirtualLights();
 
   /**
-   * Brings the samplers' lights up to date and together. The table of a single sampler is read as
-   * it is. Returns false, after an error, when one cannot.
+   * Brings the samplers' lights up to date and joins them. The table of a single sampler is read
+   * directly. Returns false, after an error, when a sampler fails.
    */
   bool Update(const Input& input, const Samplers& samplers);
 
-  /** Tells whether the samplers' lights are still those of the last update. */
+  /** Returns true if the samplers' lights are still those of the last update. */
   bool AreThere() const;
 
   int GetNumberOfLights() const { return this->NumberOfLights; }
   int GetNumberOfRows() const;
-  /** Tells whether some lights may be directions. */
+  /** Returns true if some lights may be directions. */
   bool HasDirections() const { return this->WithDirections; }
-  /** Definitions of shaders that read lights (vtkIndirectLightRow.glsl). */
+  /** Returns definitions for shaders that read lights (vtkIndirectLightRow.glsl). */
   std::string GetDefinitions() const
   {
     return std::string(this->WithDirections ? "#define VTKI_DIRECTIONS\n" : "") +
       (this->HasBranches() ? "#define VTKI_DIVIDED\n" : "");
   }
-  /** Tells whether some lights have a specular lobe; the table of these, or null. */
+  /**
+   * Returns true if some lights have a specular lobe. GetLobes returns the table of lobes, or null.
+   */
   bool HasLobes() const { return this->CurrentLobes != nullptr; }
   const vtkIndirectTarget* GetLobes() const { return this->CurrentLobes; }
-  /** Tells whether receivers near to a light sum its branches (vtkIndirectBranches.glsl). */
+  /** Returns true if receivers near a light sum its branches (vtkIndirectBranches.glsl). */
   bool HasBranches() const { return this->CurrentBranches != nullptr; }
-  /** Grows whenever the lights have changed, or the samplers that they are of. */
+  /** Grows whenever the lights, or the samplers that they come from, change. */
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
   const vtkIndirectTarget& GetTable() const { return *this->Current; }
 
   ///@{
-  /** Bind the table, and the branches where there are such, and set its extent; pair. */
+  /** Bind the table, and the branches if there are any, and set its extent; pair. */
   void Activate(vtkShaderProgram* program) const;
   void Deactivate() const;
   ///@}
 
   ///@{
-  /** Bind the lobes, where there are such; pair. */
+  /** Bind the lobes, if there are any; pair. */
   void ActivateLobes(vtkShaderProgram* program) const;
   void DeactivateLobes() const;
   ///@}
 
   ///@{
   /**
-   * Copies the lights, and what is below them: a row each of three texels of four floats, in world
+   * Copy the lights, or their branches: a row of three texels of four floats for each, in world
    * units.
    */
   void CopyLights(const vtkIndirectFrame& frame, vtkImageData* image) const;
   void CopyBranches(const vtkIndirectFrame& frame, vtkImageData* image) const;
   ///@}
-  /** Copies the lobes: a row each of two texels of four floats, in world units. */
+  /** Copies the lobes: a row of two texels of four floats for each, in world units. */
   void CopyLobes(const vtkIndirectFrame& frame, vtkImageData* image) const;
 
-  /** Bytes of a table of several samplers; samplers count their own. */
+  /** Returns the bytes of the joined tables of several samplers; samplers count their own. */
   size_t GetBytes() const
   {
     return this->Joined.GetBytes() + this->JoinedBranches.GetBytes() + this->JoinedLobes.GetBytes();
@@ -106,9 +109,10 @@ private:
   const vtkIndirectTarget* CurrentLobes = nullptr;
   int NumberOfLights = 0;
   bool WithDirections = false;
-  std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> Contents; // of the last update
+  std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> Contents; // samplers of the last
+                                                                      // update, and their times
   vtkTimeStamp ContentTime;
-  vtkMTimeType JoinedTime = 0; // of the contents that the joined tables have; 0: none
+  vtkMTimeType JoinedTime = 0; // time of the contents in the joined tables; 0: none
 };
 
 #endif

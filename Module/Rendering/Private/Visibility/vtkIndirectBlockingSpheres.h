@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres that mappers draw in place of polygons. They stand between senders and receivers, and
-// rays meet them. A later room finds them (vtkIndirectSphereBlockers).
+// Spheres that mappers draw in place of polygons. They block light between senders and receivers,
+// and rays meet them. vtkIndirectSphereBlockers finds them.
 #ifndef vtkIndirectBlockingSpheres_h
 #define vtkIndirectBlockingSpheres_h
 
@@ -18,7 +18,7 @@ struct vtkIndirectBlockingSpheres
   struct Look
   {
     glm::vec3 Albedo{ 0.0f };     // see vtkIndirectMaterial
-    bool PhysicallyBased = false; // VTK divides by pi what its own lights give
+    bool PhysicallyBased = false; // VTK divides the light of its own lights by pi
     bool operator==(const Look& other) const
     {
       return this->Albedo == other.Albedo && this->PhysicallyBased == other.PhysicallyBased;
@@ -32,6 +32,6 @@ struct vtkIndirectBlockingSpheres
   std::vector<const vtkMapper*> Mappers;                    // mappers that draw nothing else
   std::vector<std::pair<std::string, std::string>> LeftOut; // things that block nothing, and why
   size_t NumberOfUpdates = 0;                               // grows when places or radii change
-  size_t NumberOfLooks = 0;                                 // grows when looks do
+  size_t NumberOfLooks = 0;                                 // grows when looks change
 };
 #endif

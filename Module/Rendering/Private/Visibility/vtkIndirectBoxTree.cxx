@@ -11,7 +11,7 @@ namespace
 constexpr int Bins = 16;
 // Below this depth boxes are halved by their count: 31 levels of halves hold 2^31 boxes.
 constexpr int DeepestByArea = 32;
-// A node of more boxes is split although the heuristic finds no gain.
+// A node of more boxes is split even if the heuristic finds no gain.
 constexpr uint32_t LargestLeaf = 8;
 }
 
@@ -85,7 +85,7 @@ vtkIndirectBoxTree::Split vtkIndirectBoxTree::FindSplit(uint32_t begin, uint32_t
       boxes[bin].Add(this->Boxes[this->Order[i]]);
       ++counts[bin];
     }
-    double below[Bins]; // of the bins up to this one
+    double below[Bins]; // sums over the bins up to this one
     Box box;
     uint32_t count = 0;
     for (int bin = 0; bin < Bins; ++bin)
@@ -122,7 +122,7 @@ uint32_t vtkIndirectBoxTree::Divide(const Job& job, const Box& box)
     return job.Begin;
   }
   const Split split = this->FindSplit(job.Begin, job.End);
-  // A step down costs about as much as the test of what is in a box.
+  // A step down the tree costs about as much as the test of one box's content.
   const bool gains = split.Axis >= 0 && split.Cost + box.HalfArea() < count * box.HalfArea();
   if (!gains && count <= LargestLeaf)
   {

@@ -37,21 +37,21 @@ public:
   struct Part
   {
     Box Bounds;
-    uint32_t First = 0; // child, or place in the order of a leaf's first box
-    uint32_t Count = 0; // number of a leaf's boxes; 0: no leaf
+    uint32_t First = 0; // child, or place of a leaf's first box in the order
+    uint32_t Count = 0; // number of a leaf's boxes; 0: not a leaf
   };
 
-  /** Levels at most. */
+  /** Largest number of levels. */
   static constexpr int Deepest = 64;
 
   explicit vtkIndirectBoxTree(std::vector<Box> boxes);
 
-  /** The first is the root. */
+  /** Returns all nodes; the first one is the root. */
   const std::vector<Part>& GetParts() const { return this->Parts; }
-  /** Boxes by leaf. */
+  /** Returns the numbers of the boxes, leaf by leaf. */
   const std::vector<uint32_t>& GetOrder() const { return this->Order; }
   const Box& GetAll() const { return this->All; }
-  /** A place among most boxes: on each axis the median of their centres. */
+  /** Returns a place among most boxes: the median of their centres on each axis. */
   glm::dvec3 FindMiddle() const;
 
 private:

@@ -19,7 +19,8 @@
 
 namespace
 {
-// Of a mesh that is tested for being convex: a box has 24 points, each cell is tested with all.
+// Largest number of points of a mesh that is tested for convexity: a box has 24 points, and each
+// cell is tested with all points.
 constexpr vtkIdType MostPoints = 128;
 
 glm::dvec3 ToVector(const double v[3])
@@ -27,7 +28,7 @@ glm::dvec3 ToVector(const double v[3])
   return { v[0], v[1], v[2] };
 }
 
-// A cell's points relative to its plane, as far as rounding tells.
+// The sides of a cell's plane on which points lie, beyond a tolerance for rounding.
 struct Sides
 {
   bool Before = false;
@@ -55,7 +56,8 @@ Sides FindSides(vtkPoints* points, const vtkIdType* ids, vtkIdType size, double 
   return sides;
 }
 
-// Adds the edges of a cell, or takes those away that are there: none are left of a closed surface.
+// Adds each edge of a cell that is not in the set, and removes each edge that is. A closed surface
+// leaves none.
 void FlipEdges(vtkPoints* points, const vtkIdType* ids, vtkIdType size,
   std::set<std::pair<std::array<double, 3>, std::array<double, 3>>>& edges)
 {
@@ -89,7 +91,7 @@ bool IsNamed(vtkObjectBase* object, const char* name)
   return object && std::strcmp(object->GetClassName(), name) == 0;
 }
 
-// The two least places along an axis, or against it, that casters' bounds begin at.
+// The two smallest places at which casters' bounds begin, along an axis or against it.
 struct Least
 {
   double First = std::numeric_limits<double>::infinity();
@@ -103,7 +105,8 @@ struct Least
   double GetOfOthers(double own) const { return own == this->First ? this->Second : this->First; }
 };
 
-// Where bounds begin along the axis of a face of boxes, from outside; and where they end.
+// FindBegin returns where bounds begin along the inward axis of a face of a box, FindEnd where they
+// end.
 double FindBegin(const double bounds[6], int face)
 {
   return face % 2 == 0 ? bounds[face] : -bounds[face];
@@ -117,7 +120,7 @@ double FindEnd(const double bounds[6], int face)
 //------------------------------------------------------------------------------
 bool vtkIndirectCasterWindow::IsConvex(vtkProp* prop)
 {
-  // Others draw something else than their input.
+  // Other classes may draw something else than their input.
   auto* actor = vtkActor::SafeDownCast(prop);
   auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   vtkPolyData* mesh = IsNamed(actor, "vtkOpenGLActor") && IsNamed(mapper, "vtkOpenGLPolyDataMapper")
@@ -157,7 +160,7 @@ bool vtkIndirectCasterWindow::Update(
   const vtkIndirectFrame& frame, const std::vector<glm::dvec3>& corners)
 {
   std::array<Least, 6> least;        // of casters
-  std::array<double, 6> cornerBegin; // of the polygon
+  std::array<double, 6> cornerBegin; // where the polygon begins
   for (int face = 0; face < 6; ++face)
   {
     for (const vtkIndirectCaster& caster : frame.Casters)
@@ -196,8 +199,8 @@ bool vtkIndirectCasterWindow::Update(
 }
 
 //------------------------------------------------------------------------------
-// What a view that looks at most so far to its sides shows of boxes, in tangents; empty where
-// nothing of them is there.
+// Finds the part of a view within tangents `least` to `most` that boxes cover; the part is empty
+// where no box is in view.
 vtkIndirectCasterWindow::Part vtkIndirectCasterWindow::FindPart(
   const vtkIndirectDepthTile& view, const glm::dvec2& least, const glm::dvec2& most) const
 {
@@ -226,7 +229,7 @@ vtkIndirectCasterWindow::Part vtkIndirectCasterWindow::FindPart(
       {
         add(seen[i]);
       }
-      // Where edges come before the near plane.
+      // Adds the points at which edges cross the near plane.
       for (const size_t bit : { size_t(1), size_t(2), size_t(4) })
       {
         const glm::dvec3& a = seen[i];
@@ -237,7 +240,8 @@ vtkIndirectCasterWindow::Part vtkIndirectCasterWindow::FindPart(
         }
       }
     }
-    // What only touches the view's border, such as the wall that a light is in, is not in it.
+    // A box that only touches the view's border, such as the wall that a light is set into, is not
+    // in view.
     constexpr double touch = 1e-6;
     const bool held = part.Lower.x < most.x - touch && part.Lower.y < most.y - touch &&
       part.Upper.x > least.x + touch && part.Upper.y > least.y + touch && !part.IsEmpty();
@@ -253,7 +257,7 @@ vtkIndirectCasterWindow::Part vtkIndirectCasterWindow::FindPart(
 vtkIndirectDepthTile::Strip vtkIndirectCasterWindow::ToWindow(
   const Part& part, const glm::dvec2& least, const glm::dvec2& most)
 {
-  // A margin keeps the outermost from falling on the edge; what is thin has an extent, too.
+  // A margin keeps the outermost points off the edge, and a thin part gets an extent, too.
   constexpr double margin = 0.005;
   const glm::dvec2 room = glm::max(margin * (part.Upper - part.Lower), glm::dvec2(1e-3));
   const glm::dvec2 lower = glm::max(part.Lower - room, least);
@@ -281,7 +285,7 @@ void vtkIndirectCasterWindow::Fit(std::vector<vtkIndirectDepthTile*> tiles) cons
     nearest = std::min(nearest, ahead.Nearest);
     if (ahead.IsEmpty())
     {
-      // Nothing hides anything: any view will do.
+      // No caster hides anything ahead: any view will do.
       ahead.Lower = ahead.Upper = glm::dvec2(0.0);
     }
     const vtkIndirectDepthTile::Strip window = ToWindow(ahead, -most, most);
@@ -300,7 +304,7 @@ void vtkIndirectCasterWindow::Fit(std::vector<vtkIndirectDepthTile*> tiles) cons
       nearestOfStrips = std::min(nearestOfStrips, part.Nearest);
     }
   }
-  // Half of it, for what is rounded.
+  // Half of the distance leaves room for rounding.
   auto begin = [nearPlane](double place, double end)
   { return std::max(std::min(0.5 * place, 0.5 * end), nearPlane); };
   for (vtkIndirectDepthTile* tile : tiles)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The part of what an area light sees in which something can hide it. A depth map of no more than
-// that has finer texels: of a lamp far above a machine they are ten times finer than those of all
-// that the lamp shines at.
+// The part of an area light's view in which a caster can hide the light. A depth map of this part
+// alone has finer texels: for a lamp far above a machine they are ten times finer than those of a
+// map of all that the lamp shines at.
 #ifndef vtkIndirectCasterWindow_h
 #define vtkIndirectCasterWindow_h
 
@@ -10,7 +10,7 @@
 #include <glm/glm.hpp> // for corners
 
 #include <array>  // for boxes
-#include <limits> // for what is empty
+#include <limits> // for empty parts
 #include <vector> // for boxes
 
 class vtkProp;
@@ -20,28 +20,29 @@ class vtkIndirectCasterWindow
 {
 public:
   /**
-   * Finds what can hide a polygon from anything: all casters but those that are convex and lie,
-   * with a face of their bounds between, on the other side from the polygon and all other casters,
-   * such as a ground, a table or a wall. Corners in scene units. Returns whether that has changed.
+   * Finds the casters that can hide a polygon from a receiver. All casters can, except convex ones
+   * that a face of their bounds separates from the polygon and all other casters, such as a ground,
+   * a table or a wall. Corners are in scene units. Returns true if these casters have changed.
    */
   bool Update(const vtkIndirectFrame& frame, const std::vector<glm::dvec3>& corners);
 
   /**
-   * Narrows the views of perspective tiles of one axis to what can hide their places: that ahead
-   * for each, strips and depths for all together. They begin there and end behind all casters.
+   * Narrows the views of perspective tiles of one axis to the casters that can hide their places.
+   * Each tile gets its own view ahead; strips and depths are shared by all tiles. Depths begin at
+   * these casters and end behind all casters.
    */
   void Fit(std::vector<vtkIndirectDepthTile*> tiles) const;
 
   /**
-   * Whether a prop is a polygonal mesh of few points that is flat, or closed and convex: it hides
-   * nothing of its own front.
+   * Returns true if a prop is a polygonal mesh of few points that is flat, or closed and convex:
+   * such a prop hides nothing of its own front.
    */
   static bool IsConvex(vtkProp* prop);
 
 private:
   using Box = std::array<glm::dvec3, 8>;
 
-  // What a view shows of boxes.
+  // The part of a view that boxes cover.
   struct Part
   {
     glm::dvec2 Lower{ std::numeric_limits<double>::infinity() }; // tangents

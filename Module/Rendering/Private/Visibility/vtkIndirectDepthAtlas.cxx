@@ -25,22 +25,24 @@ namespace
 {
 const vtkIndirectChannel NoChannels[] = { { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
 
-// Of the atlas, texels along an edge, and of all of it: 256 MB; of a texture OpenGL may allow less.
+// Limits of the atlas: texels along an edge, and texels in all (256 MB). OpenGL may allow less for
+// a texture.
 constexpr int MostTexels = 16384;
 constexpr double MostOfAll = 64.0 * 1024.0 * 1024.0;
-// Where there are too many tiles for it they have fewer texels, but so many.
+// With too many tiles for the atlas, tiles have fewer texels, but at least this many.
 constexpr int LeastTexels = 16;
 
-// Drawn however little time there is: the first ones together, because fewer stand for all others
-// too badly.
+// A frame draws at least this many tiles, however short its time. The first tiles are drawn
+// together, because fewer tiles represent all other emitters badly.
 constexpr size_t LeastTiles = 1;
 constexpr size_t FirstTiles = 4;
 
-// A coarse level is no farther than this from what it stands for: neighbours of a texel are as far.
+// A coarse level deviates from its mesh by at most this many texels: the neighbours of a texel are
+// as far away.
 constexpr double MostErrorOfLevels = 0.5;
 
-// After so many triangles what was asked for goes to OpenGL. Software rasterizers begin with them
-// while the next ones are prepared, which saves a tenth.
+// After this many triangles the draw calls are flushed to OpenGL. Software rasterizers start on
+// them while the next ones are prepared, which saves a tenth of the time.
 constexpr size_t TrianglesOfBatch = 1 << 17;
 }
 
@@ -55,14 +57,14 @@ vtkIndirectDepthAtlas::vtkIndirectDepthAtlas(bool strips)
 vtkIndirectDepthAtlas::~vtkIndirectDepthAtlas() = default;
 
 //------------------------------------------------------------------------------
-// Tiles that can see what has come, gone or changed since they were drawn.
+// Marks tiles as stale that can see a caster that has come, gone or changed since they were drawn.
 void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
 {
   if (frame.SceneScale != this->SceneScale || frame.SceneCenter != this->SceneCenter)
   {
     for (Drawing& drawing : this->Drawn)
     {
-      // Where a perspective tile begins and ends depends on the units.
+      // The near and far plane of a perspective tile depend on the units.
       drawing.There = drawing.There && drawing.Tile.Parallel;
       if (drawing.There)
       {
@@ -121,7 +123,7 @@ void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-// Those to draw now.
+// Chooses the tiles to draw now.
 std::vector<int> vtkIndirectDepthAtlas::ChooseTiles(
   const std::vector<Emitter>& emitters, size_t count, size_t most)
 {
@@ -188,8 +190,8 @@ bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapt
   const glm::ivec2 size = this->GetTileSize(this->Texels);
   const int most = this->CountMostTiles(fitting, edge);
   const int count = static_cast<int>(std::min(emitters.size(), static_cast<size_t>(most)));
-  // In as few columns as there can be: rows of a tile that follow each other in memory are what
-  // processors' caches like.
+  // Uses as few columns as possible: then rows of a tile lie close together in memory, which suits
+  // the processor's caches.
   const int mostRows = std::max(1, edge / size.y);
   const int columns = std::max(1, (count + mostRows - 1) / mostRows);
   const int rows = std::max(1, (count + columns - 1) / columns);
@@ -241,7 +243,7 @@ glm::ivec2 vtkIndirectDepthAtlas::GetTileSize(int texels) const
 }
 
 //------------------------------------------------------------------------------
-// Tiles of so many texels in a texture of that edge, and in the memory that there is.
+// Returns how many tiles of this size fit into a texture of this edge and into the atlas's memory.
 int vtkIndirectDepthAtlas::CountMostTiles(int texels, int edge) const
 {
   const glm::ivec2 size = this->GetTileSize(texels);
@@ -251,7 +253,7 @@ int vtkIndirectDepthAtlas::CountMostTiles(int texels, int edge) const
 }
 
 //------------------------------------------------------------------------------
-// So many as are wanted, or fewer, so that all tiles have room.
+// Returns the wanted number of texels, or fewer, so that all tiles fit.
 int vtkIndirectDepthAtlas::FindTexels(size_t count, int texels, int edge) const
 {
   while (
@@ -284,7 +286,7 @@ void vtkIndirectDepthAtlas::Use(const vtkIndirectFrame& frame, int tile, int vie
 }
 
 //------------------------------------------------------------------------------
-// Returns what is to be drawn into tiles, which are empty then.
+// Clears tiles and returns their views, which are to be drawn.
 std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
   const vtkIndirectFrame& frame, const std::vector<int>& tiles)
 {
@@ -308,7 +310,7 @@ std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
 }
 
 //------------------------------------------------------------------------------
-// Of the tile that a view is of.
+// Finds the views of a view's tile that see these bounds.
 unsigned int vtkIndirectDepthAtlas::FindViews(
   const vtkIndirectFrame& frame, const View& view, const double bounds[6])
 {
@@ -316,18 +318,19 @@ unsigned int vtkIndirectDepthAtlas::FindViews(
 }
 
 //------------------------------------------------------------------------------
-// Prop by prop, all views of one. Returns those that only their mappers can draw.
+// Draws all views of one prop after the other. Returns the casters that only their own mappers can
+// draw.
 std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
   const vtkIndirectFrame& frame, const std::vector<View>& views)
 {
-  // A view, and how far a level is off in it, in world units.
+  // A view, and the deviation of a coarse level in it, in world units.
   struct Look
   {
     const View* Of;
     double Error;
   };
   std::vector<const vtkIndirectCaster*> others;
-  size_t triangles = 0; // of the batch
+  size_t triangles = 0; // in the batch so far
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     if (!vtkIndirectDepthDrawer::CanDraw(caster.Prop))
@@ -335,13 +338,13 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
       others.push_back(&caster);
       continue;
     }
-    // By what is drawn of it, in the order of tiles: its buffers are set up once for each.
+    // Groups views by level, in the order of tiles: the buffers of a level are set up once.
     std::map<vtkIndirectCoarseLevels::Level*, std::vector<Look>> looks;
     const bool hasLevels = frame.Levels && frame.Levels->Has(caster.Prop);
     unsigned int seen = 0;
     for (const View& view : views)
     {
-      // Views of a tile follow each other, that ahead first.
+      // Views of a tile follow each other, the view ahead first.
       seen = view.Number == 0 ? this->FindViews(frame, view, caster.Bounds) : seen;
       if ((seen >> view.Number) & 1u)
       {
@@ -370,9 +373,9 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
         this->Use(frame, view.Tile, view.Number);
         if (level)
         {
-          // What it stands for must not hide itself: it lies behind by its distance. What a slope
-          // makes of that, look-ups allow for by what it makes of a texel; glPolygonOffset would
-          // say the same and doubles the time of software rasterizers.
+          // A coarse level must not hide the mesh that it replaces: it is drawn behind by its
+          // deviation. Look-ups allow for the effect of slopes by their allowance for a texel;
+          // glPolygonOffset would do the same and doubles the time of software rasterizers.
           const size_t drawn = this->Drawer.Draw(
             view.ToClip * glm::translate(glm::dmat4(1.0), view.Camera.Forward * look.Error));
           frame.Levels->Count(drawn, this->Drawer.CountTriangles());

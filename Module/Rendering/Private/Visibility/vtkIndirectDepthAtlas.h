@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth maps of any number of emitters, tiles of one texture. VTK's mappers draw them through the
-// capture, so that glyphs, impostors and textures cast the shadows that they draw. They are kept
-// while the camera moves: a tile is drawn again only when its emitter, or something that it can
+// Depth maps of any number of emitters, as tiles of one texture. VTK's mappers draw them through
+// the capture, so that glyphs, impostors and textures cast the shadows that they draw. Tiles are
+// kept while the camera moves: a tile is drawn again only when its emitter, or a caster that it can
 // see, has changed.
 #ifndef vtkIndirectDepthAtlas_h
 #define vtkIndirectDepthAtlas_h
@@ -24,13 +24,13 @@ struct vtkIndirectCaster;
 class vtkIndirectDepthAtlas
 {
 public:
-  /** strips: whether tiles have them, below the view ahead. */
+  /** strips: true if tiles have strips below the view ahead. */
   explicit vtkIndirectDepthAtlas(bool strips = false);
   ~vtkIndirectDepthAtlas();
 
   /**
-   * An emitter's tile, whether it sends anything (others are left as they are), and when it is
-   * drawn among those that have none: those of lower numbers come first.
+   * An emitter's tile, whether the emitter sends any light (tiles of others are left as they are),
+   * and its turn among the emitters without a tile: lower numbers are drawn first.
    */
   struct Emitter
   {
@@ -40,33 +40,37 @@ public:
   };
 
   /**
-   * Brings tiles of these emitters up to date, of so many texels along an edge, or a half, a
-   * quarter and so on where there are so many that 256 MB, or OpenGL's largest texture, do not hold
-   * them. Not more of them are drawn than `tilesPerFrame`, but one, and four where there are none:
-   * first those that have none, then
-   * those that have waited longest. Of a direction that is fitted to another scene, what was drawn
-   * before is kept until then. Without caching nothing is kept. Returns false, after an error, when
-   * OpenGL refuses.
+   * Brings the tiles of these emitters up to date. Tiles have this many texels along an edge, or a
+   * half, a quarter and so on if 256 MB or OpenGL's largest texture cannot hold all of them. Draws
+   * at most `tilesPerFrame` tiles, but at least one, or four if no tile is drawn yet: emitters
+   * without a tile come first, then the tiles that have waited longest. When the tile of a
+   * direction is fitted to a changed scene, its previous map is kept until it is drawn again.
+   * Without caching nothing is kept. Returns false, after an error, when OpenGL refuses.
    */
   bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
     const std::vector<Emitter>& emitters, int texels, bool caching, int tilesPerFrame = 1 << 30);
 
-  /** Says that nothing of it is to be kept. */
+  /** Drops all tiles; the next Update draws them again. */
   void Forget() { this->Drawn.clear(); }
 
-  /** Whether there is a map of this emitter; it may show what was there a few frames ago. */
+  /** Returns true if this emitter has a map; the map may show the scene of a few frames ago. */
   bool HasTile(size_t emitter) const
   {
     return emitter < this->Drawn.size() && this->Drawn[emitter].There;
   }
-  /** That map as it was drawn. */
+  /** Returns the emitter's tile as it was drawn. */
   const vtkIndirectDepthTile& GetTile(size_t emitter) const { return this->Drawn[emitter].Tile; }
   ///@{
-  /** After Update: emitters that have no map; and maps, these included, that are not up to date. */
+  /**
+   * Return, after Update, the number of emitters without a map, and the number of emitters whose
+   * map is missing or not up to date.
+   */
   int GetNumberOfMissingTiles() const { return this->NumberOfMissingTiles; }
   int GetNumberOfStaleTiles() const { return this->NumberOfStaleTiles; }
   ///@}
-  /** Emitters, the last ones, for which there is no room however few texels tiles have. */
+  /**
+   * Returns the number of emitters, the last ones, that have no room even with the smallest tiles.
+   */
   int GetNumberOfTilesTooMany() const { return this->NumberOfTilesTooMany; }
 
   /** Binds the depths and sets vtkiDepthTiles and vtkiTileShape; pair. */
@@ -77,9 +81,9 @@ public:
   int GetTexels() const { return this->Texels; }
   int GetNumberOfColumns() const { return this->Columns; }
   int GetNumberOfRows() const { return this->Rows; }
-  /** Where the middle of a tile's view ahead is, from 0 to 1. */
+  /** Returns the middle of a tile's view ahead, from 0 to 1 across the atlas. */
   glm::dvec2 GetMiddle(int tile) const;
-  /** How many were drawn, since construction. */
+  /** Returns how many tiles were drawn since construction. */
   size_t GetNumberOfTilesDrawn() const { return this->NumberOfTilesDrawn; }
   size_t GetBytes() const { return this->Depths.GetBytes(); }
   void Release(vtkWindow* window);
@@ -90,8 +94,8 @@ private:
   {
     vtkIndirectDepthTile Tile;
     bool There = false; // drawn for this tile
-    bool Valid = false; // and nothing that it can see has changed since
-    size_t Time = 0;    // NumberOfTilesDrawn then
+    bool Valid = false; // up to date: nothing that the tile sees has changed since
+    size_t Time = 0;    // NumberOfTilesDrawn at the time of drawing
   };
   struct Caster
   {
@@ -109,7 +113,7 @@ private:
   std::vector<int> ChooseTiles(const std::vector<Emitter>& emitters, size_t count, size_t most);
   int CountMostTiles(int texels, int edge) const;
   int FindTexels(size_t count, int texels, int edge) const;
-  // One of a tile's views, to be drawn.
+  // A view of a tile that is to be drawn.
   struct View
   {
     int Tile;
@@ -132,11 +136,11 @@ private:
   vtkIndirectDepthDrawer Drawer;
   vtkSmartPointer<vtkOpenGLCamera> Camera;
   std::vector<Drawing> Drawn;
-  std::vector<Caster> Casters; // when they were
+  std::vector<Caster> Casters; // state of the last Update
   double SceneScale = 0.0;
   glm::dvec3 SceneCenter{ 0.0 };
   int Texels = 0;
-  int Columns = 0; // of tiles
+  int Columns = 0; // tiles side by side
   int Rows = 0;
   int NumberOfMissingTiles = 0;
   int NumberOfStaleTiles = 0;

@@ -21,7 +21,7 @@ glm::dvec3 ToScene(const vtkIndirectFrame& frame, const double bounds[6], int co
   return (p - frame.SceneCenter) * frame.SceneScale;
 }
 
-// Two axes across a unit vector, rounded as in shaders.
+// Makes two axes across a unit vector, with the same rounding as in shaders.
 void FrameAlong(const glm::dvec3& n, glm::dvec3& x, glm::dvec3& y)
 {
   glm::vec3 first;
@@ -36,10 +36,10 @@ struct FlatCaster
 {
   size_t Number;
   int Axis;
-  double Area; // world
+  double Area; // world units squared
 };
 
-// The largest ones; more are not worth the pairs.
+// Finds the largest flat casters; further ones are not worth the tests of all pairs.
 std::vector<FlatCaster> FindFlat(const vtkIndirectFrame& frame)
 {
   constexpr size_t most = 16;
@@ -57,13 +57,13 @@ std::vector<FlatCaster> FindFlat(const vtkIndirectFrame& frame)
   }
   std::stable_sort(found.begin(), found.end(),
     [](const FlatCaster& a, const FlatCaster& b) { return a.Area > b.Area; });
-  // Not resize(): GCC 16 warns of what it would do to grow.
+  // resize() could grow the list, which GCC 16 warns of.
   found.erase(found.begin() + std::min(found.size(), most), found.end());
   return found;
 }
 
-// Whether a flat caster keeps none of this light from another: that lies on the side of its plane
-// that the light comes from.
+// Returns true if a flat caster keeps none of this light from another caster: the other one lies on
+// the lit side of its plane.
 bool LeavesLit(
   const vtkIndirectFrame& frame, const FlatCaster& flat, size_t other, const glm::dvec3& toLight)
 {
@@ -74,7 +74,7 @@ bool LeavesLit(
   return along == 0.0 || (along > 0.0 ? bounds[0] >= plane[0] : bounds[1] <= plane[1]);
 }
 
-// Which casters may reach beyond the tile.
+// Marks the casters that may reach beyond the tile.
 std::vector<char> FindOutlying(const vtkIndirectFrame& frame, const glm::dvec3& toLight)
 {
   std::vector<char> outlying(frame.Casters.size(), 0);
@@ -93,7 +93,7 @@ std::vector<char> FindOutlying(const vtkIndirectFrame& frame, const glm::dvec3& 
       outlying[flat.Number] = 1;
     }
   }
-  // Something must be fitted.
+  // The tile must be fitted to at least one caster.
   if (chosen.size() == frame.Casters.size())
   {
     std::fill(outlying.begin(), outlying.end(), char{ 0 });
@@ -174,7 +174,7 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
       const glm::dvec3 corner = ToScene(frame, frame.Casters[k].GetFit(), i);
       const glm::dvec3 p(
         glm::dot(corner, tile.Right), glm::dot(corner, tile.Up), glm::dot(corner, toLight));
-      // Depths of all: what reaches out is drawn within the tile.
+      // Depths cover all casters: an outlying one is drawn within the tile.
       lower.z = std::min(lower.z, p.z);
       upper.z = std::max(upper.z, p.z);
       if (!outlying[k])
@@ -184,7 +184,7 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
       }
     }
   }
-  // A margin keeps the outermost from falling on the edge; what is flat has an extent, too.
+  // A margin keeps the outermost points off the edge, and a flat scene gets an extent, too.
   constexpr double margin = 1.01;
   const glm::dvec3 half = glm::max(0.5 * margin * (upper - lower), glm::dvec3(1e-3));
   const glm::dvec3 middle = 0.5 * (lower + upper);
@@ -213,7 +213,7 @@ unsigned int vtkIndirectDepthTile::FindViews(
 {
   std::array<glm::dvec3, 8> corners;
   vtkIndirectFootprint footprint;
-  bool within = true; // the view ahead, at its widest
+  bool within = true; // the widest view ahead holds the bounds
   bool behind = true;
   const double limit = vtkIndirectKernels::VTKI_TILE_TANGENT;
   for (int i = 0; i < 8; ++i)
@@ -234,7 +234,7 @@ unsigned int vtkIndirectDepthTile::FindViews(
     {
       continue;
     }
-    // The axes of GetView.
+    // The axes are those of GetView.
     const int to = view < 3 ? 0 : 1;
     const double sign = view % 2 == 1 ? 1.0 : -1.0;
     vtkIndirectFootprint beside;
@@ -259,7 +259,8 @@ double vtkIndirectDepthTile::FindTexelAt(
   {
     return width / frame.SceneScale;
   }
-  // Nothing that it sees is nearer along its axis than this, nor than the nearest corner.
+  // The part of the bounds that the tile sees is no nearer along its axis than the nearest corner,
+  // and no nearer than `least`, which follows from the distance to the bounds.
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 8; ++i)
   {

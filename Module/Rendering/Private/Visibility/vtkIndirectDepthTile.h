@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What one tile of the depth atlas sees: the camera of an emitter.
+// The view of one tile of the depth atlas: the camera of an emitter.
 #ifndef vtkIndirectDepthTile_h
 #define vtkIndirectDepthTile_h
 
@@ -12,16 +12,16 @@ struct vtkIndirectFrame;
 struct vtkIndirectDepthTile
 {
   bool Parallel = false;
-  glm::dvec3 Place{ 0.0 }; // scene units: the emitter's, or the middle of the near plane
+  glm::dvec3 Place{ 0.0 }; // scene units: place of the emitter, or middle of the near plane
   glm::dvec3 Right{ 1.0, 0.0, 0.0 };
   glm::dvec3 Up{ 0.0, 1.0, 0.0 };
   glm::dvec3 Forward{ 0.0, 0.0, -1.0 };
   glm::dvec2 HalfWidth{ 1.0 }; // tangents (perspective) or scene units (parallel)
-  glm::dvec2 Middle{ 0.0 };    // tangents, of a window that does not look straight ahead
+  glm::dvec2 Middle{ 0.0 };    // tangents; not zero if a window does not look straight ahead
   double Near = 0.0;           // scene units along Forward
   double Far = 1.0;
 
-  /** What a strip shows, in tangents along its own axes; nothing where it has no width. */
+  /** The extent of a strip, in tangents along its own axes; a strip without width is empty. */
   struct Strip
   {
     glm::dvec2 HalfWidth{ 0.0 };
@@ -32,8 +32,8 @@ struct vtkIndirectDepthTile
     }
   };
   /**
-   * Of a perspective tile, what lies beside the view ahead down to the emitter's horizon: to the
-   * right, left, up and down, from -1 to 1 across.
+   * The strips of a perspective tile. They show the directions beside the view ahead down to the
+   * emitter's horizon: to the right, left, up and down, from -1 to 1 across.
    */
   std::array<Strip, 4> Strips;
   double StripNear = 0.0; // scene units along a strip's axis
@@ -41,9 +41,9 @@ struct vtkIndirectDepthTile
 
   ///@{
   /**
-   * The views of a tile: ahead, and four strips, each a tile of its own. Where they lie in the
-   * atlas, in texels from the tile's lower left corner, if the view ahead has so many along an
-   * edge. See vtkiFindTileView.
+   * A tile has five views: the view ahead and four strips, each a tile of its own. The static
+   * functions return a view's size and place in the atlas, in texels from the tile's lower left
+   * corner, for a view ahead of this many texels along an edge. See vtkiFindTileView.
    */
   static constexpr int NumberOfViews = 5;
   vtkIndirectDepthTile GetView(int view) const;
@@ -51,38 +51,43 @@ struct vtkIndirectDepthTile
   static glm::ivec2 GetPlaceOfView(int view, int texels, bool strips);
   ///@}
 
-  /** The tile of a place that sends light along its normal, as shaders look it up, with strips. */
+  /**
+   * Makes the tile of a place that sends light along its normal, as shaders look it up, with
+   * strips.
+   */
   static vtkIndirectDepthTile FromPlace(const glm::dvec3& place, const glm::dvec3& normal);
   /**
-   * The tile of light that comes from a direction, fitted to what casts shadows. Where a caster
-   * hides a receiver, both have the same place in the tile: so the largest of those that are flat
-   * along an axis of the world and hide nothing of each other, such as a ground, may reach out.
+   * Makes the tile of light from a direction, fitted to the casters. A caster and the receiver that
+   * it hides have the same place in the tile. So the largest casters that are flat along an axis of
+   * the world and hide nothing of each other, such as a ground, may reach beyond the tile.
    */
   static vtkIndirectDepthTile FromDirection(
     const vtkIndirectFrame& frame, const glm::dvec3& toLight);
 
-  /** The same tile of the world in this frame's scene units, of one in others; if parallel. */
+  /** Converts a parallel tile from other scene units to those of this frame. */
   vtkIndirectDepthTile FromUnits(
     double scale, const glm::dvec3& center, const vtkIndirectFrame& frame) const;
 
   /**
-   * Which of the views can see any of these bounds, in world coordinates, and with so many texels
-   * along an edge of the view ahead hold anything of them, which does not lie between the texels'
-   * centres: a bit for each.
+   * Returns a bit for each view that can see any of these bounds, in world coordinates. A view
+   * whose texels' centres all miss the bounds does not count; the view ahead has this many texels
+   * along an edge.
    */
   unsigned int FindViews(const vtkIndirectFrame& frame, const double bounds[6], int texels) const;
-  /** Whether any of them does. */
+  /** Returns true if any view can see the bounds. */
   bool CanSee(const vtkIndirectFrame& frame, const double bounds[6], int texels) const
   {
     return this->FindViews(frame, bounds, texels) != 0;
   }
 
-  /** A texel's width, in world units, where these bounds are nearest to the emitter: of the view
-   * ahead, of so many texels. */
+  /**
+   * Returns the width of a texel of the view ahead, in world units, where these bounds are nearest
+   * to the emitter.
+   */
   double FindTexelAt(
     const vtkIndirectFrame& frame, const double bounds[6], const glm::dvec2& texels) const;
 
-  /** From world to clip coordinates. */
+  /** Returns the matrix from world to clip coordinates. */
   glm::dmat4 GetWorldToClip(const vtkIndirectFrame& frame) const;
   /** Sets up a camera that keeps the eye's ParallelProjection flag; see vtkIndirectLightMap. */
   void SetUp(vtkOpenGLCamera* camera, const vtkIndirectFrame& frame) const;

@@ -17,7 +17,7 @@
 
 namespace
 {
-// A column along z: 128 voxels.
+// A column of 128 voxels along z.
 struct Column
 {
   std::uint64_t Low = 0;
@@ -29,7 +29,7 @@ struct Column
   }
 };
 
-// Columns grown by a voxel along z.
+// Grows a column by a voxel along z.
 Column GrowColumn(const Column& c)
 {
   return { c.Low | c.Low << 1 | c.Low >> 1 | c.High << 63,
@@ -38,7 +38,7 @@ Column GrowColumn(const Column& c)
 
 using Columns = std::vector<Column>;
 
-// Every column joined with those beside it, along x (step 1) or y (step width).
+// Joins every column with its neighbours along x (axis 0) or y (axis 1).
 void GrowAcross(const Columns& from, Columns& to, const glm::ivec3& size, int axis)
 {
   const int step = axis == 0 ? 1 : size.x;
@@ -72,11 +72,11 @@ void vtkIndirectDistanceField::Build(const vtkIndirectOccupancyVolume& volume)
   this->Uploaded = false;
   const glm::ivec3 size = this->Size;
   const size_t count = static_cast<size_t>(size.x) * size.y;
-  // Where nothing is near, the largest distance that is stored.
+  // A voxel far from all occupied ones keeps the largest distance that is stored.
   constexpr int most = std::numeric_limits<unsigned char>::max();
   this->Voxels.assign(count * size.z, most);
   Columns known(count); // voxels whose distance is known
-  Columns grown(count); // those within the distance at hand
+  Columns grown(count); // voxels within the current distance
   Columns across(count);
   for (size_t i = 0; i < count; ++i)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far each voxel of an occupancy volume is from the nearest occupied one, so that a segment
-// leaps over empty space. Distances are the greatest of the three along the axes (chessboard), 0 in
-// occupied voxels; they come from the columns of bits, grown by a voxel at a time.
+// The distance of each voxel of an occupancy volume to the nearest occupied one, so that a segment
+// leaps over empty space. A distance is the greatest of the three along the axes (chessboard), and
+// 0 in occupied voxels. The columns of bits, grown by a voxel at a time, give the distances.
 #ifndef vtkIndirectDistanceField_h
 #define vtkIndirectDistanceField_h
 
@@ -31,24 +31,27 @@ public:
       static_cast<size_t>(this->Size.x) * (voxel.y + static_cast<size_t>(this->Size.y) * voxel.z)];
   }
 
-  /** Whether a segment (voxel coordinates) meets no occupied voxel besides those of its ends. */
+  /**
+   * Returns true if a segment (voxel coordinates) meets no occupied voxel except those of its ends.
+   */
   bool IsFree(const glm::vec3& start, const glm::vec3& end) const;
   /** An end of a segment: a place on a surface. */
   struct End
   {
     glm::vec3 Position; // voxels
     glm::vec3 Normal;
-    glm::vec3 Open; // near it, where none of its surface's own voxels blocks; see FindEnd
+    glm::vec3 Open; // place nearby where no voxel of its own surface blocks; see FindEnd
   };
 
   /**
-   * Position in scene units, normal unit. Above the surface's own voxels, and where another
-   * surface's voxels are there, beside those if there is a place.
+   * Makes an end from a position in scene units and a unit normal. Its open place lies above the
+   * surface's own voxels and, if another surface occupies that place, beside the voxels of that
+   * surface where possible.
    */
   End FindEnd(const glm::vec3& position, const glm::vec3& normal) const;
   /**
-   * Whether nothing stands between two places that face each other; the voxels of their own planes
-   * do not count.
+   * Returns true if nothing blocks the segment between two places that face each other; the voxels
+   * of their own planes do not count.
    */
   bool IsVisible(const End& receiver, const End& sender) const;
 

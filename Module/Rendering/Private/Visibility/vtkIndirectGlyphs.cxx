@@ -19,7 +19,7 @@
 
 namespace
 {
-// Members that VTK keeps to its derived classes.
+// Gives access to members that VTK keeps for its derived classes.
 struct GlyphAccess : public vtkGlyph3DMapper
 {
   static vtkDataArray* GetScale(vtkGlyph3DMapper* mapper, vtkDataSet* data)
@@ -85,7 +85,7 @@ glm::dmat3 FindTurn(int mode, const double* o)
   }
   else
   {
-    // Half a turn about the middle between the x axis and the direction.
+    // VTK makes half a turn about the middle between the x axis and the direction.
     const glm::dvec3 way(o[0], o[1], o[2]);
     const glm::dvec3 middle = glm::normalize(way + glm::dvec3(glm::length(way), 0.0, 0.0));
     turn.Set(0.0, middle.x, middle.y, middle.z);
@@ -164,7 +164,7 @@ void vtkIndirectGlyphs::ForEach(vtkGlyph3DMapper* mapper, vtkDataSet* data, size
   const int mode = mapper->GetOrientationMode();
   if (ways && ways->GetNumberOfComponents() != (mode == vtkGlyph3DMapper::QUATERNION ? 4 : 3))
   {
-    return; // VTK draws nothing then, after an error
+    return; // VTK draws nothing in this case, after an error
   }
   auto* mask = mapper->GetMasking()
     ? vtkBitArray::SafeDownCast(hold(GlyphAccess::GetMask(mapper, data)))

@@ -23,12 +23,15 @@ struct Instance
   glm::dvec3 Factors{ 1 }; // scale along each axis
 };
 
-/** The meshes of each source, by number. */
+/** Returns the meshes of each source, by number. */
 std::vector<std::vector<vtkPolyData*>> FindSources(vtkGlyph3DMapper* mapper);
-/** Calls with all instances at the points of a data set, as vtkOpenGLGlyph3DMapper places them. */
+/**
+ * Calls the function with all instances at the points of a data set, placed as by
+ * vtkOpenGLGlyph3DMapper.
+ */
 void ForEach(vtkGlyph3DMapper* mapper, vtkDataSet* data, size_t numberOfSources,
   const std::function<void(const Instance&)>& call);
-/** Calls with all data sets of an input. */
+/** Calls the function with all data sets of a mapper's input. */
 void ForEachDataSet(vtkGlyph3DMapper* mapper, const std::function<void(vtkDataSet*)>& call);
 }
 #endif

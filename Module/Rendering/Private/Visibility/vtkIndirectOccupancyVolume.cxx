@@ -20,8 +20,8 @@
 
 namespace
 {
-// Separating axes of a triangle and the cube of half edge `half` about the origin, but for the
-// cube's own faces and the triangle's plane, which the caller has tested.
+// Tests the separating axes of a triangle and the cube of half edge `half` about the origin, except
+// the cube's own faces and the triangle's plane, which the caller has tested.
 bool EdgesOverlap(const glm::dvec3 v[3], double half)
 {
   for (int e = 0; e < 3; ++e)
@@ -54,8 +54,8 @@ void vtkIndirectOccupancyVolume::Clear(
 {
   const glm::dvec3 extent = glm::max(upper - lower, glm::dvec3(0.0));
   const double longest = std::max({ extent.x, extent.y, extent.z });
-  // Two voxels more than the scene, in unequal parts, so that walls on its bounds fall on no face
-  // between voxels, which would set those of both sides.
+  // The grid has two voxels more than the scene, split unevenly between both ends. Otherwise a wall
+  // on the scene's bounds would lie on a face between voxels and set the voxels on both sides.
   const double border = 0.87;
   this->VoxelSize = longest > 0.0 ? longest / (resolution - 2.0) : 1.0 / resolution;
   this->Origin = lower - border * this->VoxelSize;

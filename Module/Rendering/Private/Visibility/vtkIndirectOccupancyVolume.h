@@ -7,8 +7,8 @@
 // no segment gets through a wall, however thin, slanted or finely cut. The price is that walls are
 // up to two voxels thick. The voxels of a segment's two ends do not block it.
 //
-// The triangles are the polygons of vtkIndirectSurfaces. Planes and the mean albedo are kept for
-// radiance hints, which ask for them.
+// The triangles are the polygons of vtkIndirectSurfaces. Planes and the mean albedo are kept on
+// request, for radiance hints.
 #ifndef vtkIndirectOccupancyVolume_h
 #define vtkIndirectOccupancyVolume_h
 
@@ -36,32 +36,34 @@ public:
   ~vtkIndirectOccupancyVolume();
 
   /**
-   * Brings the volume up to date: resolution (8 to 128) voxels along the longest edge of the scene.
-   * Returns whether it has changed. surfaces: read the polygons.
+   * Brings the volume up to date with `resolution` (8 to 128) voxels along the longest edge of the
+   * scene. Reads the polygons from `surfaces`. Returns true if the volume has changed.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectSurfaces& surfaces, int resolution);
 
   /**
-   * From the next Update on the planes in voxels and the mean albedo are found, too. glyphs: voxels
-   * hold those of the surfaces' list.
+   * Makes each following Update find the planes in voxels and the mean albedo, too. glyphs: true if
+   * the volume also holds the glyphs of the surfaces' list.
    */
   void KeepSurfaces(bool glyphs = false);
-  /** The planes in voxels, if KeepSurfaces. */
+  /** Returns the planes in voxels, after KeepSurfaces. */
   const vtkIndirectVoxelPlanes& GetPlanes() const { return this->Planes; }
 
   /** Makes the next Update start anew. */
   void Forget() { this->Key.Clear(); }
-  /** An empty volume over these bounds (scene units); AddTriangle fills it. For Update and tests.
+  /**
+   * Makes an empty volume over these bounds (scene units), which AddTriangle fills. For Update and
+   * tests.
    */
   void Clear(const glm::dvec3& lower, const glm::dvec3& upper, int resolution);
-  /** Corners in scene units. */
+  /** Adds a triangle; corners are in scene units. */
   void AddTriangle(const glm::dvec3 corners[3], const glm::dvec3& albedo);
-  /** Finishes the mean after the last triangle. */
+  /** Finishes the mean albedo after the last triangle. */
   void Finish();
 
   bool IsEmpty() const { return this->NumberOfTriangles == 0; }
   /**
-   * True if all that the last Update's frame can draw lies in occupied voxels. Not so with glyphs,
+   * True if occupied voxels hold all that the last Update's frame can draw. False with glyphs,
    * impostors, lines, points, levels of detail, or shaders of the user's own.
    */
   bool HoldsAll() const { return this->AllIsHeld; }
@@ -81,15 +83,15 @@ public:
   /** True if the segment between two points (voxel coordinates) meets no occupied voxel. */
   bool IsFree(const glm::vec3& start, const glm::vec3& end) const;
   size_t GetNumberOfOccupiedVoxels() const;
-  /** A bit a voxel, by x + GetSize().x y; bit z. */
+  /** Returns the columns by x + GetSize().x y; bit z of a column is a voxel. */
   const std::vector<glm::uvec4>& GetColumns() const { return this->Columns; }
-  /** Distances to occupied voxels, made when first asked for. */
+  /** Returns the distances to occupied voxels, which are made on the first request. */
   const vtkIndirectDistanceField& GetDistanceField() const;
 
-  /** Albedo of all surfaces, by area, if KeepSurfaces. */
+  /** Returns the mean albedo of all surfaces, weighted by area, after KeepSurfaces. */
   const glm::dvec3& GetMeanAlbedo() const { return this->MeanAlbedo; }
 
-  /** A prop that blocks no light here, and why. */
+  /** A prop that blocks no light in the volume, and the reason. */
   struct LeftOutProp
   {
     const vtkProp* Prop;
@@ -102,7 +104,7 @@ public:
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
   void Deactivate() const;
   size_t GetBytes() const;
-  /** Bytes of voxels, their distances and their planes. */
+  /** Returns the bytes of voxels, their distances and their planes. */
   size_t GetMainMemoryBytes() const;
   void Release(vtkWindow* window);
 
@@ -121,9 +123,9 @@ private:
   vtkIndirectVoxelPlanes Planes;
   double Area = 0.0; // voxels squared
   glm::dvec3 MeanAlbedo{ 0.0 };
-  std::vector<glm::ivec3> Touched; // by the triangle at hand
+  std::vector<glm::ivec3> Touched; // voxels that the current triangle touches
   vtkIndirectKey Key;
-  // Made when first asked for.
+  // The field is made on the first request.
   mutable std::unique_ptr<vtkIndirectDistanceField> DistanceField;
   mutable bool DistanceFieldIsCurrent = false;
   std::vector<LeftOutProp> LeftOut;

@@ -24,15 +24,15 @@ const vtkIndirectChannel Channels[] = {
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-// Texels across the penumbra of what hides the light from half-way, or from a quarter of the
-// scene's depth: the steps between its points are finer than a texel then, and a contact is blurred
-// by a sixteenth of that penumbra.
+// Texels across the penumbra of a blocker half-way to the light, or a quarter of the scene's depth
+// above the receiver: then the steps between the light's points are finer than a texel, and a
+// contact is blurred by a sixteenth of that penumbra.
 constexpr double TexelsAcrossPenumbra = 16.0;
 constexpr int FewestTexels = 64;
-// 16 MiB of depths and 64 of what shaders read.
+// 16 MiB of depths and 64 MiB of the texture that shaders read.
 constexpr int MaximumAtlas = 2048;
-// A spot's maps hold its cone from so many radii of the light on; nearer, some of its points see a
-// receiver beside their map and do not count.
+// A spot's maps hold its cone from this many radii of the light on; nearer to the light, some of
+// its points see a receiver beside their map and do not count.
 constexpr double NearestRadii = 4.0;
 
 glm::dvec3 Corner(const double bounds[6], int i)
@@ -40,7 +40,7 @@ glm::dvec3 Corner(const double bounds[6], int i)
   return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
 }
 
-// Corners of all casters' bounds, scene units.
+// Returns the corners of all casters' bounds, in scene units.
 std::vector<glm::dvec3> FindCorners(const vtkIndirectFrame& frame)
 {
   std::vector<glm::dvec3> corners;
@@ -68,7 +68,7 @@ std::vector<glm::dvec3> FindPoints()
   return points;
 }
 
-// From a map's face to the light's frame.
+// Returns the rotation from a map's face to the light's frame.
 glm::dmat3 FaceToLight(int face)
 {
   glm::dmat3 toFace;
@@ -104,13 +104,14 @@ void FitPositional(
   const glm::dvec3 place =
     (glm::dvec3(centre.LightToWorld[3]) - frame.SceneCenter) * frame.SceneScale;
   const double distance = glm::length(place);
-  // What is larger than that has the scene within it, where it has no shadows to speak of.
+  // Larger lights are reduced to this size: they have the scene within them, and hardly any
+  // shadows.
   const double radius = std::min(centre.Light.Size * frame.SceneScale, std::max(1.0, distance));
 
   double low = std::numeric_limits<double>::infinity(); // depths along the axis
   double high = -low;
-  double tangent = 0.0; // that holds all corners, seen from anywhere in the light
-  double most = 0.0;    // along any axis
+  double tangent = 0.0; // of a view that holds all corners from any point of the light
+  double most = 0.0;    // greatest depth along any axis
   glm::dvec3 lower(low);
   glm::dvec3 upper(-low);
   for (const glm::dvec3& corner : FindCorners(frame))
@@ -133,17 +134,17 @@ void FitPositional(
   const double cone =
     (std::tan(vtkMath::RadiansFromDegrees(centre.Light.ConeAngle)) * nearest + radius) /
     (nearest - radius);
-  // Half a cube's edge, as of its faces, is as wide as a single map of an omnidirectional light is.
+  // A single map of an omnidirectional light is at most as wide as a face of a cube.
   const double widest = narrow ? cone : 1.0;
   const bool single = narrow || tangent <= widest;
   fit.Map.HoldsAll = !narrow || tangent <= widest;
   map.Projection = single ? VTKI_MAP_SINGLE : VTKI_MAP_FACES;
-  // No face looks backward from a spot whose first face is along its axis.
+  // A spot whose first face is along its axis has no face that looks backward.
   map.NumberOfFaces = single ? 1 : centre.Projection == VTKI_MAP_FACES ? centre.NumberOfFaces : 6;
   map.HalfWidth = std::min(tangent, widest);
   if (single)
   {
-    // The tangent of the sum of both angles.
+    // This is the tangent of the sum of both angles.
     map.HalfWidth = (map.HalfWidth + VTKI_LIGHT_SHIFT) / (1.0 - map.HalfWidth * VTKI_LIGHT_SHIFT);
   }
   if (single)
@@ -157,12 +158,12 @@ void FitPositional(
     map.Far = most + radius;
     map.Near = std::max({ outside.x, outside.y, outside.z }) - radius;
   }
-  // As of the centre's map.
+  // The depth range is found as for the map from the centre.
   map.Far = map.Far > 0.0 ? 1.001 * map.Far : 1.0;
   map.Near = std::min(
     std::max(0.999 * map.Near, vtkIndirectLightMap::NearestFraction * map.Far), 0.5 * map.Far);
 
-  // What hides the light half-way, or a quarter of the scene's depth above what it hides it from.
+  // The blocker lies half-way to the light, or a quarter of the scene's depth above the receiver.
   const double middle = std::max(distance, 0.5 * map.Far);
   const double above = std::min(0.5 * middle, 0.25 * (single ? high - low : most));
   const double width = 2.0 * radius * above / (middle - above);
@@ -215,7 +216,7 @@ void FitDirectional(
       half = glm::max(half, glm::abs(glm::transpose(to) * (corner - middle)));
     }
   }
-  // A margin keeps the outermost from falling on the edge; what is flat has an extent, too.
+  // A margin keeps the outermost points off the edge, and a flat scene gets an extent, too.
   constexpr double margin = 1.01;
   vtkIndirectShadowMap& map = fit.Map.Map;
   map.Projection = VTKI_MAP_PARALLEL;
@@ -227,7 +228,8 @@ void FitDirectional(
   map.WorldToLight[3] =
     glm::dvec4(-(glm::transpose(rotation) * (frame.SceneCenter + middle / frame.SceneScale)), 1.0);
   fit.Map.Size = sine;
-  // A quarter of the scene's depth, of which `depth` is half.
+  // The blocker lies a quarter of the scene's depth above the receiver; `depth` is half of the
+  // scene's depth.
   fit.Texels = TexelsAcrossPenumbra * map.HalfWidth / (0.5 * depth * sine);
   const double shift = VTKI_LIGHT_SHIFT * map.HalfWidth;
   for (size_t i = 0; i < points.size(); ++i)
@@ -282,15 +284,15 @@ bool vtkIndirectPenumbra::Update(const vtkIndirectFrame& frame, const vtkIndirec
     this->Clear(frame);
     return true;
   }
-  // No finer than the user wants shadows to be, nor than there is room for.
+  // Maps are no finer than the user wants shadows to be, and no finer than the atlas has room for.
   const double edge = std::ceil(std::sqrt(static_cast<double>(this->Emitters.size())));
   wanted =
     std::min({ wanted, static_cast<double>(maps.GetTexels()), std::floor(MaximumAtlas / edge) });
-  constexpr int step = 16; // so that a light that moves does not change it in every frame
+  constexpr int step = 16; // a small move of a light keeps the number
   this->Texels = step * std::max(1, static_cast<int>(wanted / step));
   const bool drawn = this->Atlas.Update(frame, capture, this->Emitters, this->Texels, caching);
   this->Texels = this->Atlas.GetTexels();
-  // It detaches the capture where mappers had to draw.
+  // Drawing by mappers detaches the capture.
   capture->Attach(frame);
   return drawn && this->JoinTexels(frame);
 }

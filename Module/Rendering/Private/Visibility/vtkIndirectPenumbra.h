@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth maps of lights that have a size, one from each of a few points of it: mappers' shaders take
-// the mean of what these see of a receiver (vtkIndirectPenumbra.glsl). That converges to the truth
-// with the number of points; a single map from the centre, blurred by the distance of what it
-// finds, would not, because the light's border sees behind what hides its centre. They are kept
-// while the camera moves.
+// Depth maps of lights that have a size, one from each of a few points of the light: mappers'
+// shaders take the mean of what these maps see of a receiver (vtkIndirectPenumbra.glsl). The mean
+// converges to the truth with the number of points. A single map from the centre, blurred by the
+// distance of the blocker that it finds, would not converge, because the light's border sees behind
+// the blocker. Maps are kept while the camera moves.
 //
-// What it ignores: blockers thinner than a texel (bias of either sign), and within two texels of a
-// contact how sharp a shadow is. Steps of single points show as bands where a penumbra is many
-// texels wide.
+// Limits: blockers thinner than a texel (bias of either sign), and the sharpness of a shadow within
+// two texels of a contact. The steps of single points show as bands where a penumbra is many texels
+// wide.
 #ifndef vtkIndirectPenumbra_h
 #define vtkIndirectPenumbra_h
 
-#include "Capture/vtkIndirectShadowMaps.h"       // for what the capture reads
+#include "Capture/vtkIndirectShadowMaps.h"       // for the maps that the capture reads
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
 #include "Visibility/vtkIndirectDepthAtlas.h"    // for a member
@@ -32,13 +32,13 @@ public:
   ~vtkIndirectPenumbra();
 
   /**
-   * Brings the maps of those lights up to date that have a size and a map of their centre; these
-   * say where the light is and how far it reaches. The capture stays attached. Returns false, after
-   * an error, when OpenGL refuses.
+   * Brings the maps of lights up to date that have a size and a map from their centre; the centre's
+   * map gives the light's place and reach. The capture stays attached. Returns false, after an
+   * error, when OpenGL refuses.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectLightMaps& maps,
     vtkSurfaceCapturePass* capture, bool caching);
-  /** Gives back what it holds: no shadows are looked up. */
+  /** Releases its maps: shaders look up no penumbra. */
   void Clear(const vtkIndirectFrame& frame);
 
   /** Adds its maps to the shadows and binds them; pair with Deactivate. */
@@ -51,8 +51,8 @@ public:
   void Release(vtkWindow* window);
 
   /**
-   * A light's maps: numbers for shaders, a tile for each point and face, and how many texels a
-   * tile is to have along an edge.
+   * A light's maps: numbers for shaders, a tile for each point and face, and the wanted number of
+   * texels along a tile's edge.
    */
   struct Light
   {
@@ -60,7 +60,7 @@ public:
     std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
     double Texels = 0.0;
   };
-  /** Fits them to what casts shadows. */
+  /** Fits the maps of a light to the casters. */
   static Light Fit(const vtkIndirectFrame& frame, const vtkIndirectLightMap& centre);
 
 private:
@@ -70,9 +70,9 @@ private:
   std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
   int Texels = 0; // along an edge of a tile
   vtkIndirectDepthAtlas Atlas;
-  vtkIndirectTarget Tiles; // as shaders read them
+  vtkIndirectTarget Tiles; // maps that shaders read
   vtkIndirectFullScreenProgram Kernel{ "vtkIndirectPenumbraTilesFS.glsl" };
-  size_t Joined = 0; // how many tiles the atlas had drawn by then
+  size_t Joined = 0; // number of tiles that the atlas had drawn by the last JoinTexels
 };
 
 #endif

@@ -57,7 +57,7 @@ glm::dmat3 FindNormalMatrix(const glm::dmat4& matrix)
 }
 
 // True if an actor draws nothing but its data's polygons and strips. Derived classes may draw
-// anything; lines and vertices, which the caller looks for, lie where no triangle does.
+// anything. The caller looks for lines and vertices, which lie off the triangles.
 bool DrawsPolygonsAlone(vtkActor* actor, vtkMapper* mapper)
 {
   static const char* const mappers[] = { "vtkOpenGLPolyDataMapper", "vtkCompositePolyDataMapper",
@@ -80,7 +80,7 @@ bool DrawsPolygons(vtkMapper* mapper)
     !mapper->IsA("vtkPointGaussianMapper");
 }
 
-// True if a block shows scalars or a texture of its own, which VTK can do since 9.3 and 9.6.
+// True if a block shows scalars (VTK 9.3 and later) or a texture (9.6 and later) of its own.
 bool HasOwnScalars([[maybe_unused]] vtkDataObject* object,
   [[maybe_unused]] vtkCompositeDataDisplayAttributes* attributes)
 {
@@ -100,8 +100,8 @@ bool HasOwnScalars([[maybe_unused]] vtkDataObject* object,
   return any;
 }
 
-// Calls with each block that a composite mapper draws in the opaque pass, and with the attributes
-// that the block inherits from the blocks around it.
+// Calls `add` with each block that a composite mapper draws in the opaque pass, and with the
+// attributes that the block inherits from its parents.
 template <typename F>
 void AddBlocks(vtkDataObject* object, vtkCompositeDataDisplayAttributes* attributes,
   vtkIndirectMaterial::Block block, const F& add)
@@ -163,7 +163,7 @@ bool vtkIndirectPolygons::Read(const vtkIndirectFrame& frame, vtkProp* prop, con
     }
     vtkMapper* mapper = actor->GetMapper();
     auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
-    // VTK makes the inner mapper when it first draws.
+    // VTK makes the inner mapper on its first draw.
     if (dataSetMapper && dataSetMapper->GetPolyDataMapper())
     {
       mapper = dataSetMapper->GetPolyDataMapper();
@@ -284,7 +284,7 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
     const glm::dvec4 local(p[0], p[1], p[2], 1.0);
     glm::dvec4 world = toWorld * local;
     this->Positions[first + i] = (glm::dvec3(world) - frame.SceneCenter) * frame.SceneScale;
-    // Casters lie in the scene's bounds, whose diagonal is one; points far beyond are no places.
+    // Casters lie in the scene's bounds, whose diagonal is one; points far beyond them are invalid.
     there[i] = glm::length(this->Positions[first + i]) <= 1e3;
     for (int k = 0; planes && k < planes->GetNumberOfItems(); ++k)
     {
@@ -294,7 +294,7 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
 
   auto add = [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
   {
-    // A triangle that a plane cuts counts whole: it blocks at most its own length too much.
+    // A triangle that a plane cuts counts as a whole: it blocks too much by at most its own length.
     if ((shown[static_cast<size_t>(a)] || shown[static_cast<size_t>(b)] ||
           shown[static_cast<size_t>(c)]) &&
       there[static_cast<size_t>(a)] && there[static_cast<size_t>(b)] &&
@@ -325,7 +325,7 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
     strips->GetCurrentCell(count, ids);
     for (vtkIdType i = 2; i < count; ++i)
     {
-      // Every other one is wound the other way.
+      // Every second triangle of a strip has the opposite winding.
       const vtkIdType odd = i % 2;
       add(cell, ids[i - 2 + odd], ids[i - 1 - odd], ids[i]);
     }

@@ -35,8 +35,10 @@ public:
   };
 
   std::vector<glm::dvec3> Positions; // by point, scene units; points of glyphs glyph by glyph
-  /** Polygons as fans, strips as VTK winds them. A triangle that clipping planes leave out is not
-   * in the list; a triangle that a plane cuts is in it as a whole. */
+  /**
+   * Polygons as fans, strips as VTK winds them. A triangle that clipping planes leave out is not
+   * in the list; a triangle that a plane cuts is in it as a whole.
+   */
   std::vector<Triangle> Triangles;
   vtkIndirectMaterial Material; // in the numbers of the data's points and cells
   bool IsOfGlyphs = false;
@@ -44,32 +46,32 @@ public:
 
   using Taker = std::function<void(vtkIndirectPolygons& piece)>;
   /**
-   * Hands on all pieces of a prop but glyphs; the function may move them away. Returns whether the
-   * prop draws nothing but these polygons: not so with glyphs, impostors, lines, points, levels of
-   * detail, or shaders of the user's own.
+   * Hands on all pieces of a prop except glyphs; the function may move the pieces. Returns true if
+   * the prop draws nothing but these polygons: false with glyphs, impostors, lines, points, levels
+   * of detail, or shaders of the user's own.
    */
   static bool Read(const vtkIndirectFrame& frame, vtkProp* prop, const Taker& take);
   /**
    * Hands on the glyphs of an actor's mapper, a piece for each data set and source. Returns false
-   * where they have more than so many triangles, from which the triangles of each piece that has
-   * been handed on are subtracted.
+   * if the glyphs have more than `mostTriangles` triangles. The triangles of each piece that is
+   * handed on are subtracted from that number.
    */
   static bool ReadGlyphs(const vtkIndirectFrame& frame, vtkActor* actor, const glm::dmat4& toWorld,
     size_t& mostTriangles, const Taker& take);
 
   /** True if VTK culls the faces that are seen from this side. */
   bool Culls(bool front) const { return front ? this->CullsFront : this->CullsBack; }
-  /** The albedo at a place on a triangle. */
+  /** Returns the albedo at a place on a triangle. */
   glm::dvec3 FindAlbedo(const vtkIndirectMaterial::Place& place) const;
-  /** The mean over the front of a triangle. */
+  /** Returns the mean albedo over the front of a triangle. */
   glm::dvec3 FindMeanAlbedo(const Triangle& triangle) const;
   /**
-   * The unit normal by which VTK shades there, turned as VTK turns it; the facet's where the data
-   * have no normals. Returns false where the data's normal has no direction.
+   * Finds the unit normal by which VTK shades the place, turned as VTK turns it; the facet's normal
+   * where the data have no normals. Returns false where the data's normal has no direction.
    */
   bool FindNormal(
     const vtkIndirectMaterial::Place& place, const glm::dvec3& facet, glm::dvec3& normal) const;
-  /** Appends all that the shape depends on. */
+  /** Appends all that the shape depends on to a key. */
   void AppendShape(vtkIndirectKey& key) const;
   size_t GetBytes() const;
 

@@ -19,20 +19,21 @@ using vtkIndirectSamplePattern::ScrambledPoint;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double TwoPi = 2.0 * Pi;
 
-// So many paths of each light tell how many paths it needs.
+// The first paths of each light, which tell how many paths the light needs.
 constexpr size_t PilotPaths = 64;
 constexpr size_t PathsAtATime = 64;
 
-// A ray begins so far from its surface, as a share of the scene's diagonal: sheets that are
-// modelled twice lie nearer.
+// A ray begins this far from its surface, as a share of the scene's diagonal: coincident copies of
+// a surface lie nearer.
 constexpr double Clearance = 1e-6;
 
-// Interpolated normals may face a ray that the facet all but turns its edge to. The first vertex
-// has the area that belongs to it, later ones do not know of it.
+// Interpolated normals may face a ray that is almost parallel to the facet. These are the smallest
+// cosines between ray and facet that light is divided by: at a first vertex the area is divided by
+// the same cosine, at later vertices the area does not depend on it.
 constexpr double LeastCosineToLight = 1e-4;
 constexpr double LeastFacetCosine = 1e-2;
 
-// So many nearest vertices tell how densely vertices lie.
+// The number of nearest vertices that give the density of vertices.
 constexpr int Neighbors = 8;
 
 double Largest(const glm::dvec3& v)
@@ -40,7 +41,7 @@ double Largest(const glm::dvec3& v)
   return std::max({ v.x, v.y, v.z });
 }
 
-// Any two axes across a unit vector, by Duff et al. 2017, "Building an orthonormal basis,
+// Makes two axes across a unit vector, by Duff et al. 2017, "Building an orthonormal basis,
 // revisited".
 void FindAxes(const glm::dvec3& n, glm::dvec3& u, glm::dvec3& v)
 {
@@ -56,7 +57,7 @@ glm::dvec3 Corner(const double bounds[6], int i)
   return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
 }
 
-// A direction by the cosine to a normal.
+// Makes a direction with a density by the cosine to a normal.
 glm::dvec3 CosineDirection(const glm::dvec3& normal, const glm::dvec2& at)
 {
   double x = at.x;
@@ -71,8 +72,8 @@ glm::dvec3 CosineDirection(const glm::dvec3& normal, const glm::dvec2& at)
 }
 
 //------------------------------------------------------------------------------
-// Points, halved again and again at their middle one along the axis that they extend farthest
-// along: as quick whether or not a few of them lie a million times farther away than the others.
+// A tree of points. Each part is halved at its median along its longest axis, so that a search
+// stays fast when a few points lie a million times farther away than the others.
 class PointTree
 {
 public:
@@ -87,7 +88,7 @@ public:
     this->Part(0, this->Order.size());
   }
 
-  // The nearest ones to a place, so many, the nearest first.
+  // Finds this many points nearest to a place, the nearest first.
   void FindNearest(const glm::dvec3& place, size_t count, Found& found) const
   {
     found.clear();
@@ -164,7 +165,7 @@ private:
 
   std::vector<glm::dvec3> Points;
   std::vector<uint32_t> Order;
-  std::vector<unsigned char> Axes; // of the middle of a part
+  std::vector<unsigned char> Axes; // axis of each part's median
 };
 }
 
@@ -176,16 +177,16 @@ public:
   Emission(const vtkIndirectFrame& frame, const Source& source);
 
   bool IsDark() const { return this->Dark; }
-  // Makes the ray for a place of the unit square, and its share of all rays times their number: a
-  // solid angle, or for a directional light an area.
+  // Makes the ray for a place of the unit square. footprint: the ray's share of all rays times
+  // their number: a solid angle, or an area for a directional light.
   void MakeRay(
     const glm::dvec2& at, glm::dvec3& start, glm::dvec3& direction, double& footprint) const;
-  // The factor that makes the footprint an area across the ray at that distance.
+  // Returns the factor that turns the footprint into an area across the ray at that distance.
   double FindSpread(double distance) const
   {
     return this->Light.Positional ? distance * distance : 1.0;
   }
-  // The intensity times that factor, for a ray of that direction.
+  // Returns the intensity times that factor, for a ray of that direction.
   glm::dvec3 FindStrength(const glm::dvec3& direction, double distance) const;
 
 private:
@@ -193,13 +194,13 @@ private:
   glm::dvec3 Strength;
   double SceneScale;
   bool Dark = false;
-  glm::dvec3 Origin{ 0.0 }; // scene units; of a directional light the middle of where rays begin
+  glm::dvec3 Origin{ 0.0 }; // scene units; for a directional light the middle of the rays' starts
   glm::dvec3 Axis{ 0.0, 0.0, -1.0 };
   glm::dvec3 U{ 1.0, 0.0, 0.0 };
   glm::dvec3 V{ 0.0, 1.0, 0.0 };
   glm::dvec2 HalfWidths{ 1.0 };
-  double CosCone = -1.0; // of the cone that rays fill
-  double Exponent = 0.0; // of the cosine that their density goes by
+  double CosCone = -1.0; // cosine of the cone that rays fill
+  double Exponent = 0.0; // exponent of the cosine in the rays' density
 };
 
 //------------------------------------------------------------------------------
@@ -225,7 +226,7 @@ vtkIndirectRandomWalk::Emission::Emission(const vtkIndirectFrame& frame, const S
     FindAxes(this->Axis, this->U, this->V);
     const glm::dvec3 half = 0.5 * (upper - lower);
     this->HalfWidths = { glm::dot(half, glm::abs(this->U)), glm::dot(half, glm::abs(this->V)) };
-    // A flat scene, seen from its edge, has no width of its own.
+    // A flat scene seen edge-on has no width of its own.
     this->HalfWidths = glm::max(this->HalfWidths,
       glm::dvec2(1e-3 * std::max({ this->HalfWidths.x, this->HalfWidths.y, 1e-3 })));
     this->Origin = middle - 1.01 * (glm::dot(half, glm::abs(this->Axis)) + 1e-3) * this->Axis;
@@ -265,7 +266,8 @@ void vtkIndirectRandomWalk::Emission::MakeRay(
     footprint = 4.0 * this->HalfWidths.x * this->HalfWidths.y;
     return;
   }
-  // By the power of the cosine: its integral from the cone's border on is even in the first number.
+  // The density goes by the power of the cosine: its integral from the cone's border is uniform in
+  // the first number.
   const double power = this->Exponent + 1.0;
   const double border = this->Exponent > 0.0 ? std::pow(this->CosCone, power) : this->CosCone;
   const double inverted = 1.0 - at.x * (1.0 - border);
@@ -298,7 +300,7 @@ glm::dvec3 vtkIndirectRandomWalk::Emission::FindStrength(
   if (light.ConeAngle < 90.0)
   {
     const double cosine = glm::dot(direction, light.DirectionWC);
-    // As VTK's shader has it: a hard rim, by the powers of the cosine within.
+    // VTK's shader gives a spot a hard rim, and powers of the cosine within.
     factor *= cosine < std::cos(vtkMath::RadiansFromDegrees(light.ConeAngle))
       ? 0.0
       : std::pow(std::max(cosine, 0.0), light.Exponent);
@@ -398,8 +400,9 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
 }
 
 //------------------------------------------------------------------------------
-// One over the density of all vertices of later bounces: of those on surfaces that run alike, the
-// circle that the nearest ones lie in. The outermost of them is on its border and counts half.
+// Sets each vertex's area to one over the density of all vertices of later bounces: the circle of
+// the nearest vertices on similarly oriented surfaces. The outermost vertex is on the circle's
+// border and counts half.
 void vtkIndirectRandomWalk::FindAreas()
 {
   std::vector<size_t> members;
@@ -424,7 +427,7 @@ void vtkIndirectRandomWalk::FindAreas()
       for (vtkIdType i = begin; i < end; ++i)
       {
         Vertex& vertex = this->Vertices[members[static_cast<size_t>(i)]];
-        // Twice as many, of which some lie around a corner.
+        // Twice as many are searched, because some of them lie around a corner.
         tree.FindNearest(vertex.Position, 2 * Neighbors, nearest);
         int alike = 0;
         double farthest = 0.0;
@@ -438,7 +441,8 @@ void vtkIndirectRandomWalk::FindAreas()
             farthest = std::max(farthest, glm::dot(apart, apart));
           }
         }
-        // One that is alone stands for what is left: a disk half as wide as the scene.
+        // A vertex without neighbours represents the remaining area: a disk half as wide as the
+        // scene.
         vertex.Area = farthest > 0.0 ? Pi * farthest / (alike - 0.5) : Pi / 16.0;
       }
     });
@@ -462,7 +466,7 @@ void vtkIndirectRandomWalk::FindTail(int lastBounce)
     first += vertex.Bounce == firstBounce ? light : 0.0;
     last += vertex.Bounce == lastBounce ? light : 0.0;
   }
-  // If no light is lost the series has no end; one bounce alone says nothing about further ones.
+  // If no light is lost the series has no end; one bounce alone tells nothing about further ones.
   const double kept =
     firstBounce < lastBounce && all > last ? std::min((all - first) / (all - last), 0.999) : 0.0;
   const double tail = last * kept / (1.0 - kept);
@@ -508,7 +512,7 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
     {
       continue;
     }
-    // In steps, so that a light that moves a little has the same paths.
+    // The number of paths changes in steps, so that a light that moves a little keeps its paths.
     const size_t step = share > 256.0 ? 16 : 1;
     const size_t paths = std::max<size_t>(static_cast<size_t>(share) / step * step, 1);
     const List found = this->Trace(surfaces, Emission(frame, sources[i]), static_cast<int>(i),

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light on its way through the scene, on the processor: rays from the lights, and from where they
-// end on, reflected by diffusion, to the next surface. Where a path meets a surface is a vertex, a
-// virtual light of one more bounce than the one before it (Keller 1997, "Instant radiosity").
+// A random walk of light through the scene, on the processor: rays leave the lights, and where they
+// meet a surface they are reflected diffusely to the next one. Each place where a path meets a
+// surface is a vertex, a virtual light of one more bounce than the vertex before (Keller 1997,
+// "Instant radiosity").
 //
-// Weights are exact: the sum over all vertices of a bounce is an estimate, without bias, of the
-// light that surfaces reflect after so many bounces. A path goes on with the probability of its
-// albedo's largest colour, and carries the light that ended paths would have. What a vertex stands
-// for:
+// Weights are exact: the sum over all vertices of a bounce is an unbiased estimate of the light
+// that surfaces reflect after this many bounces. A path goes on with the probability of its
+// albedo's largest colour, and carries the light that ended paths would have carried. A vertex
+// represents:
 //
-//   first bounce   rays are even in the light's solid angle (or over the area that a directional
-//                  light shines through, or by the power of a spot's cosine): the share w of one of
-//                  them, at distance d and cosine c to the facet, is an area A = w d^2 / c, and
+//   first bounce   rays are uniform in the light's solid angle (or over the area that a directional
+//                  light shines through, or by the power of a spot's cosine): the share w of one
+//                  ray, at distance d and cosine c to the facet, is an area A = w d^2 / c, and
 //                  B A = albedo I(d) A max(n.l, 0).
-//   later bounces  directions go by the cosine, so a ray carries all that is left: B A is the
+//   later bounces  directions go by the cosine, so a ray carries all remaining light: B A is the
 //                  albedo times B A of the vertex before, over the probability of having gone on.
-//                  They all carry about the same, of whatever bounce, so the area is one over the
-//                  density of all of them, from the nearest ones on the same surface.
+//                  All vertices carry about the same, of whatever bounce, so the area is one over
+//                  the density of all of them, from the nearest ones on the same surface.
 //
-// A path is made of its number and its light alone: it moves smoothly with the light, and with more
-// paths the first ones stay.
+// A path depends on its number and its light alone: it moves smoothly with the light, and more
+// paths leave the first ones as they are.
 #ifndef vtkIndirectRandomWalk_h
 #define vtkIndirectRandomWalk_h
 
@@ -37,28 +38,28 @@ public:
   {
     vtkIndirectLight Light;
     glm::dvec3 Strength; // VTK's colour times intensity
-    int FirstBounce = 1; // whose vertices are kept
+    int FirstBounce = 1; // first bounce whose vertices are kept
   };
   struct Vertex
   {
     glm::dvec3 Position; // scene units
-    glm::dvec3 Normal;   // of the facet, unit: light leaves by it
+    glm::dvec3 Normal;   // unit normal of the facet, on the side that light leaves by
     double Area;
-    glm::dvec3 DensityArea; // B A, of all colours
+    glm::dvec3 DensityArea; // B A, for each colour
     int Source;
     int Bounce; // from 1
   };
   struct Settings
   {
-    /** Vertices that are asked for, about, of bounces First to Last. */
+    /** The wanted number of vertices, approximately, of bounces First to Last. */
     int NumberOfVertices = 1000;
     int FirstBounce = 1;
     int LastBounce = 1;
   };
 
   /**
-   * Walks from all sources; more paths from where more light is reflected. Vertices that send
-   * nothing are left out.
+   * Walks from all sources, with more paths from sources whose light is reflected more. Vertices
+   * that send nothing are left out.
    */
   void Walk(const vtkIndirectSurfaces& surfaces, const vtkIndirectFrame& frame,
     const std::vector<Source>& sources, const Settings& settings);
@@ -66,8 +67,9 @@ public:
   const std::vector<Vertex>& GetVertices() const { return this->Vertices; }
   size_t GetNumberOfPaths() const { return this->NumberOfPaths; }
   /**
-   * The share of all light of the walk's bounces, and of those after its last one, that the latter
-   * have: about, as if each reflected as much of the one before it as the walk's did on the mean.
+   * Returns an estimate of the share of light beyond the walk's last bounce in all light of the
+   * walk's bounces and later ones. It assumes that each bounce reflects the walk's mean share of
+   * the bounce before.
    */
   double GetTail() const { return this->Tail; }
 

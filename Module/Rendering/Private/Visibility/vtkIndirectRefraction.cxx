@@ -11,14 +11,15 @@
 
 namespace
 {
-// Faces on a way at most: light that is mirrored so often inside has lost most of itself.
+// Largest number of faces on a path: light that is mirrored so often inside has lost most of its
+// flux.
 constexpr int MostFaces = 8;
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectRefraction::SetBody(const vtkIndirectFrame& frame, vtkActor* actor)
 {
-  // A scene of the body alone: light passes through what else there is.
+  // The scene holds the body alone: light passes through everything else.
   vtkIndirectFrame body;
   std::copy(frame.SceneBounds, frame.SceneBounds + 6, body.SceneBounds);
   body.SceneCenter = frame.SceneCenter;
@@ -78,7 +79,7 @@ bool vtkIndirectRefraction::Meet(
   const glm::dvec3& facet = meeting.FacetNormal;
   const glm::dvec3 shading =
     glm::dot(meeting.Normal, facet) < 0.0 ? -meeting.Normal : meeting.Normal;
-  // Light cannot be refracted at a normal that is turned away from its way.
+  // Light cannot be refracted at a normal that faces away from its origin.
   normal = glm::dot(shading, direction) < -1e-6 ? shading : facet;
   return true;
 }
@@ -98,7 +99,7 @@ vtkIndirectRefraction::Path vtkIndirectRefraction::Trace(
   {
     if (!this->Meet(from, way, place, normal))
     {
-      return path; // past the body, or out of one that is not closed
+      return path; // past the body, or out of a body that is not closed
     }
     const double before = inside ? this->Index : 1.0;
     const double behind = inside ? 1.0 : this->Index;
@@ -121,7 +122,7 @@ vtkIndirectRefraction::Path vtkIndirectRefraction::Trace(
     {
       way = glm::normalize(way - 2.0 * glm::dot(way, normal) * normal);
     }
-    // The way goes on off the face, by more than rounding moves places by.
+    // The path goes on off the face, by more than the rounding of places.
     from = place + 1e-6 * this->Size * way;
   }
   return path;

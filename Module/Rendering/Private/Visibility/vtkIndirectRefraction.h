@@ -13,35 +13,39 @@ struct vtkIndirectFrame;
 class vtkIndirectRefraction
 {
 public:
-  /** Takes the surface of one of the frame's refractors as it stands in the world. */
+  /**
+   * Takes the surface of one of the frame's refractors, where the actor places it.
+   */
   void SetBody(const vtkIndirectFrame& frame, vtkActor* actor);
 
   struct Path
   {
-    glm::dvec3 Position; // where it leaves the body, scene units
-    glm::dvec3 Normal;   // outwards there, unit
+    glm::dvec3 Position; // place where the path leaves the body, scene units
+    glm::dvec3 Normal;   // unit normal there, outwards
     glm::dvec3 Direction;
     double Share = 0.0; // the share of the light that has come through; 0: none
   };
 
   /**
-   * The way of light through the body: refracted where it enters and where it leaves, mirrored
-   * where it cannot leave, as Fresnel's equations have it for glass; light that is mirrored
+   * Traces light through the body. Light is refracted where it enters and where it leaves, and
+   * mirrored where it cannot leave, by Fresnel's equations for glass; light that is mirrored
    * elsewhere is lost. Faces let 1 - opacity through, as in VTK's picture. origin: scene units;
    * direction: unit.
    */
   Path Trace(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
-  /** The refracted direction; zero where all is mirrored. normal: unit, against the direction. */
+  /**
+   * Returns the refracted direction; zero at total reflection. normal: unit, against the direction.
+   */
   static glm::dvec3 Refract(
     const glm::dvec3& direction, const glm::dvec3& normal, double indexBefore, double indexBehind);
-  /** The share of unpolarised light that is mirrored there (Fresnel 1823). */
+  /** Returns the share of unpolarised light that a face mirrors (Fresnel 1823). */
   static double Reflectance(double cosine, double indexBefore, double indexBehind);
 
   size_t GetBytes() const { return this->Surfaces.GetBytes(); }
 
 private:
-  // The first face along a way, and its normal there against the way.
+  // Finds the first face along a path, and its normal there against the path.
   bool Meet(const glm::dvec3& from, const glm::dvec3& direction, glm::dvec3& place,
     glm::dvec3& normal) const;
 

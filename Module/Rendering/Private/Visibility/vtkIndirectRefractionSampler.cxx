@@ -15,7 +15,7 @@
 
 namespace
 {
-// att(d) d^2 cone, towards a place.
+// Returns att(d) d^2 cone, towards a place.
 double FindFalloff(const vtkIndirectLight& light, const glm::dvec3& way, double distance)
 {
   const double cosine = glm::dot(way, light.DirectionWC);
@@ -35,7 +35,7 @@ double FindFalloff(const vtkIndirectLight& light, const glm::dvec3& way, double 
 //------------------------------------------------------------------------------
 void vtkIndirectRefractionSampler::SetNumberOfLights(int number)
 {
-  // All texels are no number for paths through glass.
+  // A request for all texels gives no number of paths through glass.
   this->NumberOfLights = number == VTK_INT_MAX ? 256 : number;
 }
 
@@ -95,7 +95,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
   const double distance = glm::length(center - light.PositionWC);
   if (!(radius > 0.0) || (light.Positional && distance <= radius))
   {
-    return; // a light within the bounds of glass
+    return; // a light within the bounds of the glass
   }
   const glm::dvec3 axis =
     light.Positional ? (center - light.PositionWC) / distance : light.DirectionWC;
@@ -103,7 +103,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
     std::abs(axis.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
   const glm::dvec3 up = glm::cross(right, axis);
-  // A tangent, or a length for light of one direction.
+  // A tangent, or a length for a directional light.
   const double halfWidth =
     light.Positional ? radius / std::sqrt(distance * distance - radius * radius) : radius;
   const int edge = std::max(2, static_cast<int>(std::sqrt(2.0 * this->NumberOfLights) + 0.5));
@@ -111,7 +111,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
   const double s = frame.SceneScale;
   std::vector<vtkIndirectRefraction::Path> paths(static_cast<size_t>(edge) * edge);
   std::vector<double> fluxes(paths.size(), 0.0);
-  // Areas of the squares across the way where light enters.
+  // The areas, across the path, of the squares where light enters.
   std::vector<double> areas(paths.size(), 0.0);
   for (int j = 0; j < edge; ++j)
   {
@@ -132,7 +132,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
         (light.Positional ? angle * FindFalloff(light, way, distance) : step * step);
     }
   }
-  // A roughness that is no number is none.
+  // A roughness that is not finite counts as zero.
   const double roughness = actor->GetProperty()->GetRoughness();
   const double base = vtkIndirectKernels::vtkiExponentOfRoughness(
     std::isfinite(roughness) ? static_cast<float>(roughness) : 0.0f);
@@ -146,7 +146,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
       {
         continue;
       }
-      // As of mirrors in maps: lobes of neighbours meet.
+      // The lobes of neighbours meet, as for mirrors in light maps.
       double turn = 0.0;
       const int neighbors[4][2] = { { i - 1, j }, { i + 1, j }, { i, j - 1 }, { i, j + 1 } };
       for (const auto& n : neighbors)

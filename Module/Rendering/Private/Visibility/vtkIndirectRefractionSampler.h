@@ -2,8 +2,9 @@
 // Virtual lights where the light of lamps leaves bodies of glass: lobes about the refracted
 // directions (Dachsbacher and Stamminger 2006, section 3.3, with both faces of a body).
 //
-// Light goes towards each body evenly: through squares of the plane that the light sees its bounds'
-// sphere on. Light that comes through is a virtual light on the far face, of the lobe's flux alone.
+// Light goes uniformly towards each body: through the squares of a grid that is as wide as the
+// sphere around the body's bounds looks from the light. Light that passes the body becomes a
+// virtual light on the far face, with the lobe's flux alone.
 #ifndef vtkIndirectRefractionSampler_h
 #define vtkIndirectRefractionSampler_h
 
@@ -19,7 +20,7 @@ struct vtkIndirectLight;
 class vtkIndirectRefractionSampler : public vtkIndirectSampler
 {
 public:
-  /** Sends twice as many squares of light towards a body, from each light. */
+  /** Makes each light send twice this many squares of light towards a body. */
   void SetNumberOfLights(int number);
 
   bool Update(const Input& input) override;

@@ -20,9 +20,9 @@ vtkIndirectSightLines::End vtkIndirectSightLines::FindEnd(
     return end;
   }
   glm::dvec3 foot = position - facet.Height * facet.Normal;
-  // A rasterizer moves corners to a grid of its own, and edges with them: a point past the
-  // triangle's edge may lie behind the wall that begins there. It goes to the triangle, and off
-  // that edge.
+  // A rasterizer moves corners, and thus edges, to a grid of its own: a point past the triangle's
+  // edge may lie behind the wall that begins there. Such a point is moved onto the triangle and
+  // away from that edge.
   if (facet.Distance > std::abs(facet.Height) + 1e-3 * Lift)
   {
     const glm::dvec3 inwards = facet.Centre - facet.Nearest;
@@ -35,7 +35,7 @@ vtkIndirectSightLines::End vtkIndirectSightLines::FindEnd(
 //------------------------------------------------------------------------------
 bool vtkIndirectSightLines::IsVisible(const End& a, const End& b) const
 {
-  // Heights of each end over the other's plane.
+  // The dot products are the heights of each end over the other end's plane.
   const glm::dvec3 way = b.Position - a.Position;
   return glm::dot(a.Normal, way) > -Lift && glm::dot(b.Normal, way) < Lift &&
     !this->Tree.IsBlocked(a.Position, b.Position);

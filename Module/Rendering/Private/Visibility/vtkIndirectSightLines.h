@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The answer to whether two points on surfaces see each other, by the surfaces themselves: the
-// oracle of all approximate visibility. Lengths are scene units (diagonal = 1).
+// Exact visibility between two points on surfaces, by the surfaces themselves: the reference for
+// all approximate visibility. Lengths are scene units (diagonal = 1).
 //
-// Points come from buffers and lie beside their triangles, by up to 1e-4 where depth is taken from
-// a depth buffer. Each is therefore brought back to its triangle, in double precision, and then
-// lifted off it along the triangle's own normal. A segment between two ends that lie in front of
-// both planes crosses neither, so no surface hides its own light. An end in front of whose plane
-// the other is not does not see it, also where a smooth normal would.
+// Points come from buffers and lie beside their triangles, by up to 1e-4 where a depth buffer gives
+// the depth. Each point is therefore moved onto its triangle, in double precision, and then lifted
+// off along the triangle's own normal. A segment between two ends that lie in front of both planes
+// crosses neither plane, so no surface hides its own light. An end does not see another end that
+// lies behind its plane, even where a smooth normal would.
 //
-// One thing is lost: nothing nearer to a surface than Lift hides light from it.
+// Limit: a blocker nearer to a surface than Lift hides no light from it.
 #ifndef vtkIndirectSightLines_h
 #define vtkIndirectSightLines_h
 
@@ -19,16 +19,20 @@ class vtkIndirectTriangleTree;
 class vtkIndirectSightLines
 {
 public:
-  /** How far from its triangle a point may lie: twice what the buffers are off by. */
+  /** Largest distance of a point from its triangle: twice the error of the buffers. */
   static constexpr double Reach = 2e-4;
-  /** Ends are lifted off their planes by this: a hundredth of a pixel of an image of a scene. */
+  /**
+   * Distance by which ends are lifted off their planes: a hundredth of a pixel of an image of a
+   * scene.
+   */
   static constexpr double Lift = 1e-5;
 
   struct End
   {
     glm::dvec3 Position{ 0.0 }; // lifted
-    glm::dvec3 Normal{ 0.0 };   // the triangle's; the shading normal where there is none
-    bool OnSurface = false;     // there is a triangle
+    glm::dvec3 Normal{ 0.0 };   // the triangle's normal; the shading normal where there is no
+                                // triangle
+    bool OnSurface = false;     // true if a triangle is within reach
   };
 
   /** Uses the tree and makes no copy. */
@@ -38,9 +42,9 @@ public:
   }
 
   /**
-   * The end of segments from and to a point of this unit shading normal. Where no triangle is
-   * within reach, as on surfaces that a mapper makes in its shaders, or in mid-air, the point
-   * itself.
+   * Makes the end of segments from and to a point of this unit shading normal. Where no triangle
+   * is within reach, as in mid-air or on surfaces that a mapper makes in its shaders, the end is
+   * the point itself.
    */
   End FindEnd(const glm::dvec3& position, const glm::dvec3& normal) const;
   bool IsVisible(const End& a, const End& b) const;

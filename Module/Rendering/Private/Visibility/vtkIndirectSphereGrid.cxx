@@ -14,15 +14,16 @@
 
 namespace
 {
-// Over the bounds of all spheres, for each.
+// Cells for each sphere, over the bounds of all spheres.
 constexpr double CellsOfSphere = 4.0;
-// Lists longer than this are divided by finer cells,
+// Finer cells divide lists longer than this.
 constexpr std::uint32_t LongList = 64;
-// of which there may be so many in all (16 MB),
+// Largest number of finer cells in all (16 MB).
 constexpr double MostCells = 2097152.0;
-// and so many entries for each sphere: where spheres lie inside each other finer cells help little.
+// Largest number of entries for each sphere: where spheres lie inside each other finer cells help
+// little.
 constexpr size_t MostEntriesOfSphere = 64;
-// Segments are followed in single precision, and may be a little beside their cell.
+// Segments are followed in single precision, and may lie a little beside their cell.
 constexpr float Slack = 1e-3f;
 }
 
@@ -42,8 +43,8 @@ void vtkIndirectSphereGrid::Clear()
 }
 
 //------------------------------------------------------------------------------
-// Cubes of about that number, none of their edges shorter than the longest extent allows; one where
-// no more are asked for.
+// Makes cubes, about this many and none smaller than the longest extent allows; makes one cube if
+// only one is wanted.
 void vtkIndirectSphereGrid::SetSize(const glm::dvec3& extent, double cells)
 {
   const double longest = std::max({ extent.x, extent.y, extent.z });
@@ -66,7 +67,7 @@ void vtkIndirectSphereGrid::ForEachTouched(const glm::vec4& sphere, const F& cal
   const glm::vec3 center(sphere);
   const float outer = sphere.w + Slack;
   const float inner = std::max(sphere.w - Slack, 0.0f);
-  // Rounding puts none of a sphere beyond the border cells.
+  // Clamping keeps spheres within the border cells despite rounding.
   const glm::ivec3 most = this->Size - 1;
   const glm::ivec3 first = glm::clamp(glm::ivec3(glm::floor(center - outer)), glm::ivec3(0), most);
   const glm::ivec3 last = glm::clamp(glm::ivec3(glm::floor(center + outer)), glm::ivec3(0), most);
@@ -160,7 +161,7 @@ bool vtkIndirectSphereGrid::Build(
   this->Origin = lower;
   this->SetSize(upper - lower, cells);
   std::vector<std::uint32_t> counts;
-  // In a single cell each sphere has one entry.
+  // In a single cell each sphere has one entry, so the loop ends.
   while (this->Count(spheres, counts) > entries)
   {
     cells = std::min(cells, static_cast<double>(counts.size())) / 8.0;
@@ -249,7 +250,7 @@ void vtkIndirectSphereGrid::FindNumberOfSteps(
       place[axis] = random.Next() < 0.5 ? upper[axis] : lower[axis];
       return place;
     }
-    // On its side towards the other.
+    // The end lies on the sphere's side towards the other end.
     const glm::dvec4& sphere =
       spheres[static_cast<size_t>(random.Next() * static_cast<double>(spheres.size()))];
     const glm::dvec3 way = other - glm::dvec3(sphere);

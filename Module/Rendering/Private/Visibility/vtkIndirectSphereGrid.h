@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Spheres in lists by the cells of a uniform grid, for segments between two points: they are to
-// spheres what voxels are to triangles, but exact. A segment is followed from cell to cell
+// Lists of spheres by the cells of a uniform grid, for segments between two points. The grid does
+// for spheres what voxels do for triangles, but exactly. A segment is followed from cell to cell
 // (Amanatides and Woo 1987, "A fast voxel traversal algorithm for ray tracing") and tested against
-// the spheres of each.
+// the spheres of each cell.
 //
-// A list holds copies of its spheres, so that a shader reads them one after the other. Cells that
-// lie inside of a sphere do not list it: a segment that it blocks passes its surface.
+// A list holds copies of its spheres, so that a shader reads them one after the other. A cell
+// inside a sphere does not list the sphere: a segment that the sphere blocks passes its surface.
 #ifndef vtkIndirectSphereGrid_h
 #define vtkIndirectSphereGrid_h
 
@@ -35,13 +35,14 @@ public:
   ~vtkIndirectSphereGrid();
 
   /**
-   * Center and radius of each, in scene units; radii are positive, all finite. There are four cells
-   * for each over their bounds, more where spheres lie so close together that lists would be long,
-   * fewer where there would be more entries than these. Returns false, with no spheres, when there
-   * are more spheres than entries.
+   * Makes lists from the center and radius of each sphere, in scene units; radii are positive, and
+   * all numbers finite. The grid has four cells for each sphere over their bounds, more where
+   * spheres lie so close together that lists would be long, and fewer where lists would have more
+   * than `entries` entries. Returns false, with no spheres, when there are more spheres than
+   * entries.
    */
   bool Build(const std::vector<glm::dvec4>& spheres, size_t entries = MaximumNumberOfEntries);
-  /** The same with so many cells for each sphere. */
+  /** Does the same with this many cells for each sphere. */
   bool Build(const std::vector<glm::dvec4>& spheres, double cellsOfSphere, size_t entries);
   void Clear();
 
@@ -56,12 +57,14 @@ public:
   }
 
   /**
-   * True if no sphere stands between two places (scene units), by the shaders' own kernel. steps,
-   * where it is given: rounds of a shader's loop, one for each cell and each sphere on the way.
+   * True if no sphere blocks the segment between two places (scene units), by the shaders' own
+   * kernel. steps, if given, receives the rounds of a shader's loop: one for each cell and each
+   * sphere on the segment.
    */
   bool IsFree(const glm::dvec3& start, const glm::dvec3& end, int* steps = nullptr) const;
-  /** Steps in the mean: the most of segments past all spheres, from around to them, and between
-   * them. */
+  /**
+   * Returns the mean number of steps of segments from around the spheres to them, and between them.
+   */
   double GetNumberOfSteps() const { return this->NumberOfSteps; }
 
   /** Binds lists and spheres for vtkIndirectSphereSegments.glsl; pair with Deactivate. */
@@ -95,7 +98,7 @@ private:
   glm::ivec3 Size{ 1 };
   size_t NumberOfSpheres = 0;
   double NumberOfSteps = 0.0;
-  std::vector<glm::uvec2> Cells; // the first of a list and how many
+  std::vector<glm::uvec2> Cells; // first entry and length of a list
   std::vector<glm::vec4> Lists;  // cells
   mutable vtkSmartPointer<vtkTextureObject> CellTexture;
   mutable vtkSmartPointer<vtkTextureObject> ListTexture;

@@ -13,7 +13,7 @@
 
 namespace
 {
-// True if spheres stand for all that a mapper draws.
+// True if the mapper draws spheres alone, which are in the list of spheres.
 bool IsOfSpheres(const vtkIndirectBlockingSpheres* spheres, const vtkMapper* mapper)
 {
   return spheres &&
@@ -60,7 +60,7 @@ void vtkIndirectSurfaces::Update(
   const vtkIndirectFrame& frame, const vtkIndirectBlockingSpheres* spheres)
 {
   const vtkIndirectKey key = MakeKey(frame);
-  // Splats may be drawn as spheres, and are no casters.
+  // Splats may be drawn as spheres, although they are no casters.
   vtkIndirectKey spheresKey;
   spheresKey.Add("spheres", spheres != nullptr)
     .Add("spheres", spheres ? spheres->NumberOfUpdates : 0);
@@ -194,7 +194,7 @@ void vtkIndirectSurfaces::ReadGlyphs(const vtkIndirectFrame& frame, size_t numbe
       }
       if (!actor->GetMapper()->IsA("vtkGlyph3DMapper"))
       {
-        // A prop that draws nothing else is named as a whole.
+        // A prop that draws nothing else is reported as a whole.
         const bool impostors = actor != caster.Prop &&
           (actor->GetMapper()->IsA("vtkOpenGLSphereMapper") ||
             actor->GetMapper()->IsA("vtkOpenGLStickMapper") ||
@@ -225,7 +225,8 @@ bool vtkIndirectSurfaces::Meet(const glm::dvec3& start, const glm::dvec3& direct
   double passed = 0.0;
   uint32_t last = except;
   vtkIndirectTriangleTree::Hit hit;
-  // Culled faces are passed through; a number of layers without end would come from rounding.
+  // Rays pass through culled faces. The number of layers is limited, because rounding could make it
+  // infinite.
   for (int layer = 0; layer < 64 && this->Tree.FindNearest(from, direction, last, hit); ++layer)
   {
     meeting.Triangle = hit.Triangle;

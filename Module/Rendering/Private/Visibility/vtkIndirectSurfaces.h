@@ -37,18 +37,18 @@ public:
   struct Meeting
   {
     glm::dvec3 Position{ 0.0 };
-    glm::dvec3 Normal{ 0.0, 0.0, 1.0 }; // by which VTK shades, unit; may face away from the ray
+    glm::dvec3 Normal{ 0.0, 0.0, 1.0 }; // shading normal of VTK, unit; may face away from the ray
     glm::dvec3 FacetNormal{ 0.0, 0.0, 1.0 }; // unit, towards the ray's start
     glm::dvec3 Albedo{ 0.0 };                // for light that VTK does not divide by pi
-    bool PhysicallyBased = false;            // VTK divides by pi what its own lights give
+    bool PhysicallyBased = false;            // VTK divides the light of its own lights by pi
     bool Sends = false;                      // lit, with a normal, and not told to send nothing
     uint32_t Triangle = vtkIndirectTriangleTree::None; // or sphere
     double Distance = 0.0;
   };
 
   /**
-   * Brings list and tree up to date with the frame's casters. spheres: what the frame's mappers
-   * draw as spheres; null where nobody has looked for them.
+   * Brings list and tree up to date with the frame's casters. spheres: the spheres that the frame's
+   * mappers draw; null if spheres were not searched for.
    */
   void Update(const vtkIndirectFrame& frame, const vtkIndirectBlockingSpheres* spheres = nullptr);
   /** Makes the next Update read everything anew. */
@@ -56,27 +56,30 @@ public:
   void Clear();
   /** Grows when anything has changed, over all objects of this class. */
   vtkMTimeType GetTime() const { return this->Time.GetMTime(); }
-  /** How often the tree has been made. */
+  /** Returns how often the tree has been made. */
   size_t GetNumberOfBuilds() const { return this->NumberOfBuilds; }
 
   /**
-   * Hands on the polygons of the frame's casters, with the caster's number: from the list, glyphs
-   * included, where that is of this frame; else they are read without glyphs, and not kept. Returns
-   * for each caster whether it draws polygons alone.
+   * Hands on the polygons of the frame's casters, with the caster's number. They come from the
+   * list, glyphs included, if the list is of this frame; otherwise they are read without glyphs,
+   * and not kept. Returns for each caster whether it draws polygons alone.
    */
   std::vector<bool> ReadPolygons(const vtkIndirectFrame& frame,
     const std::function<void(size_t caster, const vtkIndirectPolygons& piece)>& take) const;
 
   /**
-   * The first surface that a ray of this unit direction meets, but for the triangle of that number;
-   * culled: faces that a mapper culls are met, too. May be asked from several threads. Returns
-   * false where there is none.
+   * Finds the first surface that a ray of this unit direction meets, except the triangle of number
+   * `except`. culled: faces that a mapper culls are met, too. Several threads may call it at once.
+   * Returns false if the ray meets no surface.
    */
   bool Meet(const glm::dvec3& start, const glm::dvec3& direction, uint32_t except, Meeting& meeting,
     bool culled = false) const;
   const vtkIndirectTriangleTree& GetTree() const { return this->Tree; }
 
-  /** Things that rays do not meet, or not as VTK draws them, and why. */
+  /**
+   * Returns the things that rays do not meet, or meet in another shape than VTK draws, and the
+   * reasons.
+   */
   const std::vector<std::pair<std::string, std::string>>& GetLeftOut() const
   {
     return this->LeftOut;

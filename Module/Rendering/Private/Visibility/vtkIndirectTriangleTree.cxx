@@ -11,13 +11,14 @@
 
 namespace
 {
-// Boxes are padded by this share of their greatest coordinate, and of that of a segment's begin,
-// about the tree's origin: rounding to floats, of the box, the direction, its inverse and the two
+// Boxes are padded by this share of two coordinates about the tree's origin: the box's greatest and
+// that of a segment's begin. Rounding to floats, of the box, the direction, its inverse and the two
 // steps of the boxes' test, moves a face by less than 2^-21 of both. So small triangles have small
 // boxes near the origin, however far other triangles reach.
 constexpr double Padding = 1.0 / (1 << 20);
 
-// The point of a triangle that is nearest to p, by the regions of its corners, edges and inside.
+// Finds the point of a triangle that is nearest to p, by the regions of its corners, edges and
+// inside.
 glm::dvec3 FindNearestPoint(const glm::dvec3 v[3], const glm::dvec3& p)
 {
   const glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
@@ -82,14 +83,15 @@ bool vtkIndirectTriangleTree::AddSphere(const glm::dvec3& center, double radius)
 }
 
 //------------------------------------------------------------------------------
-// A ray meets a sphere from outside only: that is the side which impostors draw.
+// A ray meets a sphere from outside only: impostors draw that side.
 bool vtkIndirectTriangleTree::Triangle::MeetsSphere(
   const glm::dvec3& start, const glm::dvec3& direction, double& distance, double normal[3]) const
 {
   const glm::dvec3 offset = start - this->Corners[0];
   const double radius = this->Corners[1].x;
   const double along = glm::dot(offset, direction);
-  // The square of how far the line passes the center by, without the difference of large squares.
+  // `square` is the squared radius less the squared distance of the line from the center, without a
+  // difference of large squares.
   const glm::dvec3 beside = offset - along * direction;
   const double square = radius * radius - glm::dot(beside, beside);
   if (!(square > 0.0))
@@ -222,7 +224,7 @@ void vtkIndirectTriangleTree::Finish()
 struct vtkIndirectTriangleTree::Ray
 {
   double Start[3]; // by the axes of K
-  int K[3];        // axes; the last is the direction's longest
+  int K[3];        // axes; the last one is the direction's longest
   double Shear[3];
 
   Ray(const glm::dvec3& start, const glm::dvec3& way)
@@ -283,7 +285,7 @@ struct vtkIndirectTriangleTree::Ray
 // The segment about the tree's origin, in the form that the test of boxes needs.
 struct vtkIndirectTriangleTree::Line
 {
-  glm::vec3 FromNear; // the begin, moved to where boxes begin sooner, and end later
+  glm::vec3 FromNear; // the begin, moved so that boxes begin sooner (here) and end later (FromFar)
   glm::vec3 FromFar;
   glm::vec3 Inverse;
   int Sign[3];
@@ -302,7 +304,7 @@ struct vtkIndirectTriangleTree::Line
     }
   }
 
-  // Which children's boxes the segment meets, a bit each, and where it enters them.
+  // Returns a bit for each child whose box the segment meets; near: where the segment enters it.
   unsigned int Meet(const Node& node, float near[Width]) const
   {
 #ifdef VTK_INDIRECT_SSE
@@ -315,7 +317,7 @@ struct vtkIndirectTriangleTree::Line
       const __m128 inverse = _mm_set1_ps(this->Inverse[axis]);
       const float* const lower = node.Bounds[this->Sign[axis]][axis];
       const float* const upper = node.Bounds[1 - this->Sign[axis]][axis];
-      // Given a NaN and a number these instructions take their second argument.
+      // With a NaN and a number these instructions return their second argument.
       enter = _mm_max_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(lower), fromNear), inverse), enter);
       leave = _mm_min_ps(_mm_mul_ps(_mm_sub_ps(_mm_load_ps(upper), fromFar), inverse), leave);
     }
@@ -351,8 +353,8 @@ struct vtkIndirectTriangleTree::Line
 };
 
 //------------------------------------------------------------------------------
-// The part of a segment that is in the box of all. A direction along faces gives infinities, and
-// NaNs, which no comparison takes.
+// Finds the part of a segment that is in the box of all triangles. A direction along faces gives
+// infinities, and NaNs, which comparisons reject.
 bool vtkIndirectTriangleTree::Clip(
   const glm::dvec3& start, const glm::dvec3& way, double& enter, double& leave) const
 {
@@ -397,7 +399,7 @@ bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec
       }
       if (node.Count[i] == 0)
       {
-        // The nearest comes last and is taken first.
+        // The nearest child is put last and is taken first.
         waiting[count] = node.First[i];
         if (nearest < 0 || near[i] < near[nearest])
         {
@@ -434,7 +436,7 @@ bool vtkIndirectTriangleTree::FindNearest(
   {
     return false;
   }
-  // Boxes are asked with a segment that ends where the ray leaves that of all.
+  // Boxes are tested with a segment that ends where the ray leaves the box of all triangles.
   const double length = leave - enter;
   const Ray ray(start, direction);
   const Line line(start + enter * direction - this->Origin, glm::vec3(length * direction));
@@ -466,7 +468,7 @@ bool vtkIndirectTriangleTree::FindNearest(
       }
       if (node.Count[i] == 0)
       {
-        // The nearest is taken first.
+        // Children are sorted so that the nearest is taken first.
         int place = count++;
         for (; place > first && waiting[place - 1].Near < near[i]; --place)
         {
@@ -495,7 +497,7 @@ bool vtkIndirectTriangleTree::FindNearest(
         {
           hit.Weights[corner] = weights[corner] / determinant;
         }
-        // Boxes are wider than what rounding to floats moves them by; so is what is beyond.
+        // Boxes are wider than the rounding to floats; the limit gets the same margin.
         limit = static_cast<float>((least - enter) / length + 2.0 * Padding);
       }
     }

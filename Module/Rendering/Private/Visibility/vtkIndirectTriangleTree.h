@@ -21,7 +21,7 @@ public:
   /** The plane of a triangle that a point lies on. */
   struct Facet
   {
-    glm::dvec3 Normal{ 0.0 };  // unit, to the side of the normal that was asked with
+    glm::dvec3 Normal{ 0.0 };  // unit, on the side of the given normal
     double Height = 0.0;       // height of the point over the plane, to that side
     double Distance = 0.0;     // from the point to the triangle
     glm::dvec3 Nearest{ 0.0 }; // point of the triangle
@@ -60,16 +60,16 @@ public:
   bool IsBlocked(const glm::dvec3& start, const glm::dvec3& end) const;
 
   /**
-   * The first triangle that a ray of this unit direction meets, either side of it, or the outside
-   * of the first sphere, but for the one of that number. Returns false where there is none.
+   * Finds the first triangle, seen from either side, or sphere, from outside, that a ray of this
+   * unit direction meets, except the one of number `except`. Returns false if the ray meets none.
    */
   bool FindNearest(
     const glm::dvec3& start, const glm::dvec3& direction, uint32_t except, Hit& hit) const;
 
   /**
-   * The triangle that a point of this shading normal lies on: of those within reach the nearest,
+   * Finds the triangle that a point of this shading normal lies on: the nearest one within reach,
    * where a right angle between its plane's normal and the given one counts as much as the reach.
-   * Returns false where there is none.
+   * Returns false if no triangle is within reach.
    */
   bool FindFacet(
     const glm::dvec3& point, const glm::dvec3& normal, double reach, Facet& facet) const;
@@ -96,9 +96,9 @@ private:
   static constexpr int Width = 4;
   struct alignas(64) Node
   {
-    float Bounds[2][3][Width]; // lower and upper; a child that is not there has them inside out
+    float Bounds[2][3][Width]; // lower and upper; a missing child has them swapped
     uint32_t First[Width];     // child, or the first triangle of a leaf
-    uint32_t Count[Width];     // number of a leaf's triangles; 0: no leaf
+    uint32_t Count[Width];     // number of a leaf's triangles; 0: not a leaf
   };
   struct Line;
   struct Ray;
@@ -106,7 +106,8 @@ private:
   bool Clip(const glm::dvec3& start, const glm::dvec3& way, double& enter, double& leave) const;
 
   std::vector<Triangle> Triangles; // by leaf after Finish
-  std::vector<uint32_t> Numbers;   // of these triangles, as they were given
+  std::vector<uint32_t> Numbers;   // numbers of these triangles, in the order in which they were
+                                   // given
   uint32_t NumberOfGiven = 0;
   size_t NumberOfSpheres = 0;
   std::vector<Node> Nodes;

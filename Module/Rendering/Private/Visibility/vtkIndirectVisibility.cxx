@@ -18,11 +18,12 @@ namespace
 {
 // Texels along an edge of a virtual light's tile.
 constexpr int TexelsOfLights = 128;
-// Tiles that have memory: 64 MB. More lights share them.
+// Number of tiles that have memory: 64 MB. More lights share them.
 constexpr size_t MaximumNumberOfTiles = 1024;
-// Rounds of all loops of an invocation, which llvmpipe ends after 65535.
+// Rounds of all loops of an invocation; llvmpipe ends the loops after 65535.
 constexpr double MostRounds = 65535.0;
-// Scene units that two opposite directions count as: lights of one tile face the same way first.
+// Distance, in scene units, that two opposite directions count as: lights that share a tile face
+// the same way first.
 constexpr double DistanceOfTurn = 0.25;
 }
 
@@ -81,7 +82,7 @@ bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
 }
 
 //------------------------------------------------------------------------------
-// Makes the lists of spheres, where they are asked for.
+// Makes the lists of spheres, if they are needed.
 void vtkIndirectVisibility::UpdateSpheres(const Input& input)
 {
   const vtkIndirectBlockingSpheres* const spheres =
@@ -107,7 +108,7 @@ void vtkIndirectVisibility::UpdateSpheres(const Input& input)
       vtkIndirectSphereGrid::MaximumNumberOfEntries, rows * vtkIndirectSphereGrid::RowLength));
   this->SpheresTime = spheres->NumberOfUpdates;
   ++this->NumberOfSphereUpdates;
-  // Kept while spheres move about, so that what follows from it does not flip to and fro.
+  // The value is kept while spheres move about, so that decisions based on it do not alternate.
   const double steps = this->Spheres.GetNumberOfSteps();
   if (std::abs(steps - this->StepsOfSpheres) > 0.15 * this->StepsOfSpheres)
   {
@@ -196,9 +197,10 @@ bool vtkIndirectVisibility::UpdateMaps(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-// A light without a tile of its own looks up that of the most similar one that has: near, and
-// facing the same way (clustered visibility: Dong, Grosch, Ritschel, Kautz, Seidel 2009). What
-// differs between their places is ignored; where it hides more, the result is too dark.
+// A light without a tile of its own looks up the tile of the most similar light that has one: near,
+// and facing the same way (clustered visibility: Dong, Grosch, Ritschel, Kautz, Seidel 2009).
+// Differences between their places are ignored; where the other light is hidden more, the result is
+// too dark.
 void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
 {
   std::vector<int> there;
@@ -211,7 +213,8 @@ void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
   }
   constexpr size_t width = vtkIndirectSampler::RowLength;
   const size_t rows = (this->Lights.size() + width - 1) / width;
-  // Place and tile of all lights, then axes of all; a light that sends nothing is not looked up.
+  // The rows hold place and tile of all lights, then axes of all; shaders do not look up a light
+  // that sends nothing.
   std::vector<float> owners(8 * width * rows, 0.0f);
   for (size_t i = 0; i < this->Lights.size(); ++i)
   {
@@ -288,7 +291,8 @@ int vtkIndirectVisibility::GetMaximumNumberOfSegments() const
 }
 
 //------------------------------------------------------------------------------
-// For a sender: as many for voxels as ever, and four times what spheres take in the mean.
+// Returns the rounds for a sender: a constant number for voxels, and four times the mean steps for
+// spheres.
 double vtkIndirectVisibility::FindRounds() const
 {
   const double voxels = this->WalksVoxels() ? MostRounds / MaximumNumberOfSegments : 0.0;

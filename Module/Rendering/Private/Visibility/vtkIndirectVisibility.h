@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The answer to whether a virtual light is seen from a receiver, which estimators ask for. It comes
-// from nothing, from voxels of the scene and spheres that they do not hold, from the scene's
-// surfaces themselves, or from depth maps of the lights.
+// Visibility of virtual lights from receivers, for estimators. It comes from nothing, from voxels
+// of the scene and spheres that they do not hold, from the scene's surfaces themselves, or from
+// depth maps of the lights.
 #ifndef vtkIndirectVisibility_h
 #define vtkIndirectVisibility_h
 
-#include "Frame/vtkIndirectEstimate.h"             // for what is needed
+#include "Frame/vtkIndirectEstimate.h"             // for the needs
 #include "Visibility/vtkIndirectBlockingSpheres.h" // for the input
 #include "Visibility/vtkIndirectDepthAtlas.h"      // for a member
 #include "Visibility/vtkIndirectSphereGrid.h"      // for a member
@@ -35,15 +35,15 @@ public:
   using Needs = vtkIndirectVisibilityNeeds;
 
   /**
-   * Senders that a shader may ask for from one place in one draw. Mesa's llvmpipe ends all loops of
-   * an invocation after 65535 rounds together, and a round is a sender or four steps on the way to
-   * it: this leaves 124 steps a sender, four times what rooms need; fewer senders where spheres
-   * take more. Whoever has more of them sums in several draws. A multiple of
-   * vtkIndirectSampler::RowLength.
+   * The number of senders that a shader may test from one place in one draw. Mesa's llvmpipe ends
+   * all loops of an invocation after 65535 rounds together, and a round is a sender or four steps
+   * on the way to it. This number leaves 124 steps a sender, four times what rooms need; there are
+   * fewer senders where spheres need more steps. An estimator with more senders sums in several
+   * draws. The number is a multiple of vtkIndirectSampler::RowLength.
    */
   static constexpr int MaximumNumberOfSegments = 2048;
   int GetMaximumNumberOfSegments() const;
-  /** The same where nothing is walked: a round a sender, and what there is besides. */
+  /** The same where no segments are walked: a round a sender, and room for other loops. */
   static constexpr int MaximumNumberOfSenders = 16384;
   int GetMaximumNumberOfSenders() const
   {
@@ -61,26 +61,26 @@ public:
     vtkSurfaceCapturePass* Capture;
     bool Caching;
     int TilesPerFrame; // depth maps of lights to draw at most
-    /** Up to date where they are needed. */
+    /** The scene's surfaces, up to date where they are needed. */
     const vtkIndirectSurfaces& Surfaces;
     /** Spheres that mappers draw, which voxels do not hold; may be null. */
     const vtkIndirectBlockingSpheres* Spheres = nullptr;
   };
 
   /**
-   * Brings it up to date; without caching from nothing. What is not needed is released. Returns
-   * false, after an error, when OpenGL refuses.
+   * Brings visibility up to date; without caching it is made anew. Releases what is not needed.
+   * Returns false, after an error, when OpenGL refuses.
    */
   bool Update(const Input& input, const Needs& needs);
 
-  /** True if senders can be hidden: it was asked for, and something can hide them. */
+  /** True if senders can be hidden: visibility is wanted, and something can hide them. */
   bool HidesSenders() const { return this->WalksSegments() || this->LooksUpMaps(); }
-  /** True if shaders walk from place to place, which bounds how often they can ask. */
+  /** True if shaders walk segments, which limits the number of senders in a draw. */
   bool WalksSegments() const;
   bool LooksUpMaps() const { return this->Current.Senders && this->Current.Maps; }
-  /** True if all maps that there will be are there and up to date. */
+  /** True if all maps that fit are drawn and up to date. */
   bool IsComplete() const { return this->GetNumberOfTilesLeft() == 0; }
-  /** Maps that further frames draw. */
+  /** Returns the number of maps that further frames will draw. */
   int GetNumberOfTilesLeft() const
   {
     return this->LooksUpMaps() ? this->Maps.GetNumberOfStaleTiles() : 0;
@@ -88,27 +88,36 @@ public:
   /** True if shaders walk through voxels, or through lists of spheres. */
   bool WalksVoxels() const;
   bool WalksSpheres() const;
-  /** True if the surfaces themselves hide senders: it was asked for, and there are some. */
+  /**
+   * True if the surfaces themselves hide senders: exact visibility is wanted, and there are
+   * surfaces.
+   */
   bool IsExact() const;
-  /** Definitions of shaders that ask vtkIndirectVisibility.glsl; empty where nothing hides. */
+  /**
+   * Returns definitions for shaders that include vtkIndirectVisibility.glsl; empty where nothing
+   * hides.
+   */
   std::string GetDefinitions() const;
   ///@{
-  /** Bind what they read, and nothing where nothing hides; pair. */
+  /** Bind what the definitions' shaders read, or nothing if nothing hides senders; pair. */
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
   void Deactivate() const;
   ///@}
 
-  /** The voxels, empty where nobody needs them. */
+  /** Returns the voxels, empty where no stage needs them. */
   const vtkIndirectOccupancyVolume& GetVolume() const { return *this->Volume; }
-  /** The scene's surfaces of the last Update; to be asked only where they are needed. */
+  /** Returns the scene's surfaces of the last Update; valid only where they are needed. */
   const vtkIndirectSurfaces& GetSurfaces() const { return *this->Surfaces; }
-  /** The lists of spheres, empty where nobody needs them or there are none. */
+  /** Returns the lists of spheres, empty where no stage needs them or there are no spheres. */
   const vtkIndirectSphereGrid& GetSpheres() const { return this->Spheres; }
-  /** How often lists of spheres have been made. */
+  /** Returns how often lists of spheres have been made. */
   size_t GetNumberOfSphereUpdates() const { return this->NumberOfSphereUpdates; }
-  /** Grows when the voxels or the surfaces have changed: what was derived from them is stale. */
+  /** Grows when the voxels or the surfaces change: results derived from them are stale. */
   size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
-  /** Depth maps of virtual lights, since construction: what was made of fewer is stale. */
+  /**
+   * Returns the depth maps of virtual lights drawn since construction: results from fewer maps are
+   * stale.
+   */
   size_t GetNumberOfTilesDrawn() const { return this->Maps.GetNumberOfTilesDrawn(); }
 
   void AddToReport(vtkIndirectReport& report) const;
@@ -138,12 +147,12 @@ private:
   bool SpheresAreTooMany = false;
   // Depth maps of virtual lights, a tile each for as many as the memory allows.
   vtkIndirectDepthAtlas Maps{ true };
-  std::vector<vtkIndirectDepthAtlas::Emitter> Lights;   // all
-  std::vector<vtkIndirectDepthAtlas::Emitter> Emitters; // those with a tile
-  size_t Stride = 1;                                    // from one of them to the next
-  vtkMTimeType EmittersTime = 0;                        // of the lights that they were read from
-  bool WithDirections = false;                          // among them
-  // Where some have no tile of their own: whose they look up.
+  std::vector<vtkIndirectDepthAtlas::Emitter> Lights;   // all lights
+  std::vector<vtkIndirectDepthAtlas::Emitter> Emitters; // lights with a tile
+  size_t Stride = 1;             // step from one light with a tile to the next
+  vtkMTimeType EmittersTime = 0; // time of the lights that they were read from
+  bool WithDirections = false;   // true if directions are among them
+  // With fewer tiles than lights: the owner of the tile that each light looks up.
   bool Shares = false;
   vtkSmartPointer<vtkTextureObject> Owners;
 };

@@ -11,12 +11,12 @@
 class vtkIndirectVoxelPlanes
 {
 public:
-  /** Empties the grid and gives it so many voxels along each axis. */
+  /** Empties the grid and gives it this many voxels along each axis. */
   void Clear(const glm::ivec3& size);
   /** Adds a triangle (voxel coordinates) that has an area to the voxels that it touches. */
   void Add(const glm::dvec3 corners[3], const std::vector<glm::ivec3>& touched);
   /**
-   * The plane of a voxel: its normal, to either side, and its height over the voxel's centre.
+   * Finds the plane of a voxel: its normal, to either side, and its height over the voxel's centre.
    * Returns false where no triangle touches the voxel or its triangles lie in different planes.
    */
   bool Find(const glm::ivec3& voxel, glm::dvec3& normal, double& height) const;
@@ -39,7 +39,7 @@ private:
   }
 
   glm::ivec3 Size{ 0 };
-  std::vector<int32_t> Index; // by voxel, of its plane; -1: no triangle touches the voxel
+  std::vector<int32_t> Index; // number of each voxel's plane; -1: no triangle touches the voxel
   std::vector<Plane> Planes;
 };
 
