@@ -63,6 +63,8 @@ MAY_NAME_ESTIMATORS = {
     "vtkProxyAccumulationPass",
     "vtkIndirectSum",
     "vtkIndirectPipeline",
+    "vtkIndirectBounceLight",
+    "vtkIndirectEstimatorSky",
 }
 
 
