@@ -63,8 +63,7 @@ MAY_NAME_ESTIMATORS = {
     "vtkProxyAccumulationPass",
     "vtkIndirectSum",
     "vtkIndirectPipeline",
-    "vtkIndirectBounceLight",
-    "vtkIndirectEstimatorSky",
+    "vtkIndirectEstimatorLight",
 }
 
 

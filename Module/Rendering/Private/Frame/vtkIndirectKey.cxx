@@ -64,17 +64,6 @@ vtkIndirectKey& vtkIndirectKey::AddAddress(const char* name, const void* address
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectKey::Append(const vtkIndirectKey& other)
-{
-  const size_t first = this->Bits.size();
-  this->Bits.insert(this->Bits.end(), other.Bits.begin(), other.Bits.end());
-  for (const Part& part : other.Parts)
-  {
-    this->Parts.push_back({ part.Name, first + part.End });
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectKey::Clear()
 {
   this->Parts.clear();
@@ -103,12 +92,10 @@ std::vector<std::string> vtkIndirectKey::FindChanges(const vtkIndirectKey& befor
   std::vector<std::string> names;
   const auto add = [&](const char* name)
   {
-    if (now.find(name) == now.end() || now.at(name) != last[name])
+    const bool differs = now.find(name) == now.end() || now.at(name) != last[name];
+    if (differs && std::find(names.begin(), names.end(), name) == names.end())
     {
-      if (std::find(names.begin(), names.end(), name) == names.end())
-      {
-        names.emplace_back(name);
-      }
+      names.emplace_back(name);
     }
   };
   for (const vtkIndirectKey* key : { this, &before })

@@ -37,7 +37,6 @@ public:
   vtkIndirectKey& Add(const char* name, vtkObject* object);
   vtkIndirectKey& AddAddress(const char* name, const void* address);
   ///@}
-  void Append(const vtkIndirectKey& other);
 
   /** Empties the key. An empty key belongs to no result. */
   void Clear();

@@ -19,11 +19,7 @@ vtkIndirectBounceLight::vtkIndirectBounceLight(vtkIndirectFrameSamplers& sampler
 void vtkIndirectBounceLight::SetEstimator(
   vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users)
 {
-  if (estimator != this->Estimator)
-  {
-    this->EstimateTime = 0;
-  }
-  this->Estimator = estimator;
+  this->vtkIndirectEstimatorLight::SetEstimator(estimator);
   this->Users = users;
 }
 
@@ -74,8 +70,7 @@ const vtkIndirectBlockingSpheres* vtkIndirectBounceLight::UpdateSurfaces(
 //------------------------------------------------------------------------------
 bool vtkIndirectBounceLight::Update(const Input& input, int mostMaps)
 {
-  const vtkIndirectVisibilityNeeds needs =
-    vtkIndirectSum::Get(this->Estimator).GetVisibilityNeeds(input.Plan);
+  const vtkIndirectVisibilityNeeds needs = this->GetSum().GetVisibilityNeeds(input.Plan);
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const vtkIndirectBlockingSpheres* const spheres = this->UpdateSurfaces(input, needs);
   const bool sampled =
@@ -103,18 +98,7 @@ vtkIndirectEstimate vtkIndirectBounceLight::Sum(const Input& input)
 {
   Input own = input;
   own.Lights = this->Samplers.GetLights();
-  const vtkIndirectEstimate estimate = vtkIndirectSum::Get(this->Estimator).MakeEstimate(own);
-  this->EstimateTime = vtkIndirectSum::Get(this->Estimator).GetEstimateTime();
-  this->Error = estimate.Error;
-  return estimate;
-}
-
-//------------------------------------------------------------------------------
-// Another pass that uses the estimator replaces its images.
-bool vtkIndirectBounceLight::IsCurrent() const
-{
-  return this->Estimator &&
-    vtkIndirectSum::Get(this->Estimator).GetEstimateTime() == this->EstimateTime;
+  return this->vtkIndirectEstimatorLight::Sum(own);
 }
 
 //------------------------------------------------------------------------------
@@ -130,11 +114,8 @@ void vtkIndirectBounceLight::AddToReport(
 {
   report.Add(plan.EstimateModelled, plan.EstimateLeftOut);
   report.Method = this->Estimator->GetMethodName();
-  report.Bytes += vtkIndirectSum::Get(this->Estimator).GetBytes();
-  report.MainMemoryBytes +=
-    vtkIndirectSum::Get(this->Estimator).GetMainMemoryBytes() + this->Surfaces.GetBytes();
-  report.EstimatedError = this->Error;
-  vtkIndirectSum::Get(this->Estimator).AddToReport(report);
+  report.MainMemoryBytes += this->Surfaces.GetBytes();
+  this->AddEstimatorTo(report);
   this->Visibility.AddToReport(report);
   this->Samplers.AddToReport(report);
 }

@@ -4,17 +4,15 @@
 #ifndef vtkIndirectBounceLight_h
 #define vtkIndirectBounceLight_h
 
-#include "Frame/vtkIndirectFrameLight.h"        // for the base class
+#include "Pipeline/vtkIndirectEstimatorLight.h" // for the base class
 #include "Pipeline/vtkIndirectSphereBlockers.h" // for a member
 #include "Visibility/vtkIndirectSurfaces.h"     // for a member
 #include "Visibility/vtkIndirectVisibility.h"   // for a member
-#include "vtkIndirectEstimatorPass.h"           // for a member
-#include "vtkWeakPointer.h"                     // for a member
 
 class vtkIndirectFrameSamplers;
 class vtkVirtualLightSampler;
 
-class vtkIndirectBounceLight : public vtkIndirectFrameLight
+class vtkIndirectBounceLight : public vtkIndirectEstimatorLight
 {
 public:
   explicit vtkIndirectBounceLight(vtkIndirectFrameSamplers& samplers);
@@ -31,7 +29,6 @@ public:
   int GetNumberOfTilesLeft() const override { return this->Visibility.GetNumberOfTilesLeft(); }
   bool HasMore(const Input& input) const override;
   vtkIndirectEstimate Sum(const Input& input) override;
-  bool IsCurrent() const override;
   /** Releases depth maps, voxels and surfaces. */
   void Rest(const Input& input) override;
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
@@ -45,12 +42,9 @@ private:
 
   vtkIndirectFrameSamplers& Samplers;
   vtkIndirectVisibility Visibility;
-  vtkIndirectSphereBlockers Blockers; // for visibility and surfaces
-  vtkIndirectSurfaces Surfaces;       // for samplers and visibility
-  vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
+  vtkIndirectSphereBlockers Blockers;      // for visibility and surfaces
+  vtkIndirectSurfaces Surfaces;            // for samplers and visibility
   vtkVirtualLightSampler* Users = nullptr; // valid while a frame is drawn
-  vtkMTimeType EstimateTime = 0;           // time of the estimator, after the last sum
-  double Error = -1.0;                     // error of the last result
 };
 
 #endif

@@ -4,17 +4,12 @@
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
-#include "Gather/vtkIndirectSum.h"
 #include "vtkEnvironmentLight.h"
 
 //------------------------------------------------------------------------------
 void vtkIndirectEstimatorSky::SetEstimator(vtkIndirectEstimatorPass* estimator, bool alone)
 {
-  if (estimator != this->Estimator)
-  {
-    this->EstimateTime = 0;
-  }
-  this->Estimator = estimator;
+  this->vtkIndirectEstimatorLight::SetEstimator(estimator);
   this->Alone = alone;
 }
 
@@ -25,22 +20,6 @@ void vtkIndirectEstimatorSky::AppendTo(vtkIndirectKey& key, const Input& input) 
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate vtkIndirectEstimatorSky::Sum(const Input& input)
-{
-  const vtkIndirectEstimate estimate = vtkIndirectSum::Get(this->Estimator).MakeEstimate(input);
-  this->EstimateTime = vtkIndirectSum::Get(this->Estimator).GetEstimateTime();
-  return estimate;
-}
-
-//------------------------------------------------------------------------------
-// Another pass that uses the estimator replaces its images.
-bool vtkIndirectEstimatorSky::IsCurrent() const
-{
-  return this->Estimator &&
-    vtkIndirectSum::Get(this->Estimator).GetEstimateTime() == this->EstimateTime;
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectEstimatorSky::AddToReport(
   vtkIndirectReport& report, const vtkIndirectPlan& plan) const
 {
@@ -48,9 +27,7 @@ void vtkIndirectEstimatorSky::AddToReport(
   {
     report.Method = this->Estimator->GetMethodName();
   }
-  report.Bytes += vtkIndirectSum::Get(this->Estimator).GetBytes();
-  report.MainMemoryBytes += vtkIndirectSum::Get(this->Estimator).GetMainMemoryBytes();
-  vtkIndirectSum::Get(this->Estimator).AddToReport(report);
+  this->AddEstimatorTo(report);
   if (this->Alone)
   {
     report.Add(plan.EstimateModelled, plan.EstimateLeftOut);

@@ -4,11 +4,9 @@
 #ifndef vtkIndirectEstimatorSky_h
 #define vtkIndirectEstimatorSky_h
 
-#include "Frame/vtkIndirectFrameLight.h" // for the base class
-#include "vtkIndirectEstimatorPass.h"    // for a member
-#include "vtkWeakPointer.h"              // for a member
+#include "Pipeline/vtkIndirectEstimatorLight.h" // for the base class
 
-class vtkIndirectEstimatorSky : public vtkIndirectFrameLight
+class vtkIndirectEstimatorSky : public vtkIndirectEstimatorLight
 {
 public:
   /** Sets the estimator; alone: it is the frame's estimator, and gives no other light. */
@@ -20,15 +18,11 @@ public:
   bool Update(const Input&, int) override { return true; }
   size_t GetNumberOfTilesDrawn() const override { return 0; }
   int GetNumberOfTilesLeft() const override { return 0; }
-  vtkIndirectEstimate Sum(const Input& input) override;
-  bool IsCurrent() const override;
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
   void Release(vtkWindow*) override { this->Estimator = nullptr; }
 
 private:
-  vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   bool Alone = false;
-  vtkMTimeType EstimateTime = 0; // time of the estimator, after the last sum
 };
 
 #endif

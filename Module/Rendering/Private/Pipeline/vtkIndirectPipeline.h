@@ -86,7 +86,6 @@ public:
   /** Marks the last frame as one without buffers, for this reason. */
   void Forget(const std::string& why);
   bool HasBuffers() const { return this->BuffersAreThere; }
-  const std::string& GetWhyNoBuffers() const { return this->WhyNoBuffers; }
   /** Returns true if the last frame's window is still the renderer's. */
   bool IsInWindow() const;
   /** Returns the estimator of the last frame; null before the first frame. */

@@ -117,6 +117,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     if (part.IsThere && part.Light->IsCurrent())
     {
       part.Light->AddToReport(report, this->Plan);
+      report.EstimatedError = std::max(report.EstimatedError, part.Result.Error);
     }
     else if (part.IsAsked)
     {
