@@ -21,16 +21,11 @@ class vtkShaderProgram;
 class vtkIndirectAreaGather : public vtkIndirectFrameLight
 {
 public:
-  vtkIndirectAreaGather();
+  explicit vtkIndirectAreaGather(vtkIndirectDepthMaps& maps);
 
   const char* GetName() const override { return "light of area lights"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
-  int CountMapsNeeded(const Input& input) const override;
-  bool Update(const Input& input, int mostMaps) override;
-  size_t GetNumberOfTilesDrawn() const override
-  {
-    return this->Maps.GetAtlas().GetNumberOfTilesDrawn() + this->Rounds.GetNumberOfTilesDrawn();
-  }
+  bool Update(const Input& input) override;
   bool IsComplete() const override { return !this->Visible || this->Maps.IsComplete(); }
   int GetNumberOfTilesLeft() const override;
   /** Sums the light. Further rounds of points of each light refine a still result. */
@@ -56,7 +51,6 @@ private:
   vtkIndirectAreaMaps Maps; // maps of the first round
   bool Visible = false;     // something can hide the lamps
   bool Moving = false;
-  int TilesLeft = 0; // maps left to draw in this frame
   vtkIndirectFullScreenProgram Kernel{ "vtkIndirectAreaFS.glsl" }; // for lamps of one radiance
   vtkIndirectAreaSamples Samples;                                  // for moving frames
   vtkIndirectAreaSamples StillSamples;                             // for images, in still frames

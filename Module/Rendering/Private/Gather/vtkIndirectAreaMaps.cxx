@@ -27,16 +27,16 @@ int vtkIndirectAreaMaps::GetTexels(const vtkIndirectAreaLamps& lamps)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaMaps::MakeEmitters(const vtkIndirectAreaLamps& lamps)
+void vtkIndirectAreaMaps::MakeMaps(const vtkIndirectAreaLamps& lamps)
 {
-  this->Emitters.clear();
+  this->Maps.clear();
   for (size_t i = 0; i < this->Lamps.size(); ++i)
   {
     const vtkIndirectAreaLamps::Lamp& lamp = *lamps.Get()[i];
     Made& made = this->Lamps[i];
     const size_t sides = lamp.TwoSided ? 2 : 1;
-    const size_t first = this->Emitters.size();
-    this->Emitters.resize(first + sides * made.Points.size());
+    const size_t first = this->Maps.size();
+    this->Maps.resize(first + sides * made.Points.size());
     for (size_t side = 0; side < sides; ++side)
     {
       std::vector<vtkIndirectDepthTile*> tiles;
@@ -46,11 +46,11 @@ void vtkIndirectAreaMaps::MakeEmitters(const vtkIndirectAreaLamps& lamps)
         const size_t number = first + side * made.Points.size() + k;
         point.Tiles[0] = static_cast<int>(first + k);
         point.Tiles[1] = lamp.TwoSided ? static_cast<int>(first + made.Points.size() + k) : -1;
-        vtkIndirectDepthAtlas::Emitter& emitter = this->Emitters[number];
-        emitter.Tile = vtkIndirectDepthTile::FromPlace(
+        vtkIndirectDepthMaps::Map& map = this->Maps[number];
+        map.Tile = vtkIndirectDepthTile::FromPlace(
           lamp.GetPlace(point), side == 0 ? lamp.Normal : -lamp.Normal);
-        emitter.Turn = k;
-        tiles.push_back(&emitter.Tile);
+        map.Turn = k;
+        tiles.push_back(&map.Tile);
       }
       made.Window.Fit(tiles);
       made.Views[side] = *tiles.front();
@@ -59,8 +59,8 @@ void vtkIndirectAreaMaps::MakeEmitters(const vtkIndirectAreaLamps& lamps)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAreaMaps::Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-  const vtkIndirectAreaLamps& lamps, int round, bool caching, int most)
+void vtkIndirectAreaMaps::Update(
+  const vtkIndirectFrame& frame, const vtkIndirectAreaLamps& lamps, int round)
 {
   bool same = round == this->Round && lamps.Get().size() == this->Lamps.size();
   this->Lamps.resize(lamps.Get().size());
@@ -87,14 +87,9 @@ bool vtkIndirectAreaMaps::Update(const vtkIndirectFrame& frame, vtkSurfaceCaptur
   this->Round = round;
   if (!same)
   {
-    this->MakeEmitters(lamps);
-    ++this->ContentTime;
+    this->MakeMaps(lamps);
   }
-  const size_t before = this->Atlas.GetNumberOfTilesDrawn();
-  const bool updated =
-    this->Atlas.Update(frame, capture, this->Emitters, GetTexels(lamps), caching, most);
-  this->ContentTime += this->Atlas.GetNumberOfTilesDrawn() - before;
-  return updated;
+  this->DepthMaps.Request(this->Client, frame, this->Maps, GetTexels(lamps));
 }
 
 //------------------------------------------------------------------------------
@@ -141,8 +136,8 @@ glm::dvec4 vtkIndirectAreaMaps::GetRange(size_t lamp, size_t side) const
 //------------------------------------------------------------------------------
 void vtkIndirectAreaMaps::Release(vtkWindow* window)
 {
-  this->Atlas.Release(window);
+  this->DepthMaps.Release(this->Client, window);
   this->Lamps.clear();
-  this->Emitters.clear();
+  this->Maps.clear();
   this->Round = -1;
 }
