@@ -4,7 +4,6 @@
 #include "Gather/vtkIndirectAreaGather.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectPlan.h"
@@ -95,19 +94,6 @@ int vtkIndirectAreaGather::GetNumberOfTilesLeft() const
 double vtkIndirectAreaGather::GetTolerance(const Input& input) const
 {
   return (this->Moving ? 0.5 : 0.25) * input.Plan.ErrorTolerance;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaGather::SetLamp(const Input& input, vtkShaderProgram* program, const Lamp& lamp)
-{
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  vtkIndirectSetUniform(program, "vtkiAreaCorner", glm::vec3(lamp.Corner));
-  vtkIndirectSetUniform(program, "vtkiAreaEdge1", glm::vec3(lamp.Edge1));
-  vtkIndirectSetUniform(program, "vtkiAreaEdge2", glm::vec3(lamp.Edge2));
-  vtkIndirectSetUniform(program, "vtkiAreaNormal", glm::vec3(lamp.Normal));
-  program->SetUniformi("vtkiAreaTwoSided", lamp.TwoSided ? 1 : 0);
-  vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp.Radiance));
 }
 
 //------------------------------------------------------------------------------
@@ -229,16 +215,16 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
   target.Clear();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  for (const auto& each : this->Lamps.Get())
+  for (const auto& lamp : this->Lamps.Get())
   {
-    const Lamp& lamp = *each;
     vtkShaderProgram* program = this->Kernel.Use(frame.Window);
     done = program != nullptr;
     if (!done)
     {
       break;
     }
-    this->SetLamp(input, program, lamp);
+    vtkIndirectAreaLamps::SetUniforms(program, frame, *lamp);
+    vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp->Radiance));
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
     this->Kernel.Draw();
     input.Geometry.GetTarget().Deactivate();

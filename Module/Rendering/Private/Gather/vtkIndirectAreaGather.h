@@ -16,8 +16,6 @@
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 
-class vtkShaderProgram;
-
 class vtkIndirectAreaGather : public vtkIndirectFrameLight
 {
 public:
@@ -36,8 +34,6 @@ public:
   size_t GetBytes() const;
 
 private:
-  using Lamp = vtkIndirectAreaLamps::Lamp;
-
   bool IsFinished() const;
   bool SumAll(const Input& input);
   double GetTolerance(const Input& input) const;
@@ -45,7 +41,6 @@ private:
   bool SumLobes(const Input& input);
   bool SumRounds(const Input& input);
   bool SumOpen(const Input& input, vtkIndirectTarget& target);
-  void SetLamp(const Input& input, vtkShaderProgram* program, const Lamp& lamp);
 
   vtkIndirectAreaLamps Lamps;
   vtkIndirectAreaMaps Maps; // maps of the first round

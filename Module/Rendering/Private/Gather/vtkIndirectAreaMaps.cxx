@@ -15,18 +15,6 @@ constexpr int TexelsOfMany = 128;
 }
 
 //------------------------------------------------------------------------------
-int vtkIndirectAreaMaps::GetTexels(const vtkIndirectAreaLamps& lamps)
-{
-  double count = 0.0;
-  for (const auto& lamp : lamps.Get())
-  {
-    count += lamps.GetNumberOfPoints() * (lamp->TwoSided ? 2.0 : 1.0);
-  }
-  return count * TexelsOfFew * TexelsOfFew <= 1.0 * MostTexels * MostTexels ? TexelsOfFew
-                                                                            : TexelsOfMany;
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectAreaMaps::MakeMaps(const vtkIndirectAreaLamps& lamps)
 {
   this->Maps.clear();
@@ -48,7 +36,7 @@ void vtkIndirectAreaMaps::MakeMaps(const vtkIndirectAreaLamps& lamps)
         point.Tiles[1] = lamp.TwoSided ? static_cast<int>(first + made.Points.size() + k) : -1;
         vtkIndirectDepthMaps::Map& map = this->Maps[number];
         map.Tile = vtkIndirectDepthTile::FromPlace(
-          lamp.GetPlace(point), side == 0 ? lamp.Normal : -lamp.Normal);
+          lamp.GetPlace(point.Place), side == 0 ? lamp.Normal : -lamp.Normal);
         map.Turn = k;
         tiles.push_back(&map.Tile);
       }
@@ -80,8 +68,8 @@ void vtkIndirectAreaMaps::Update(
       made.Points = lamps.MakePoints(lamp, round);
     }
     const bool moved = made.Window.Update(frame,
-      { lamp.Corner, lamp.Corner + lamp.Edge1, lamp.Corner + lamp.Edge2,
-        lamp.Corner + lamp.Edge1 + lamp.Edge2 });
+      { lamp.Corner, lamp.GetPlace({ 1.0, 0.0 }), lamp.GetPlace({ 0.0, 1.0 }),
+        lamp.GetPlace({ 1.0, 1.0 }) });
     same = same && sameLamp && !moved;
   }
   this->Round = round;
@@ -89,7 +77,9 @@ void vtkIndirectAreaMaps::Update(
   {
     this->MakeMaps(lamps);
   }
-  this->DepthMaps.Request(this->Client, frame, this->Maps, GetTexels(lamps));
+  const size_t most = 1u * MostTexels * MostTexels / (TexelsOfFew * TexelsOfFew);
+  this->DepthMaps.Request(
+    this->Client, frame, this->Maps, this->Maps.size() <= most ? TexelsOfFew : TexelsOfMany);
 }
 
 //------------------------------------------------------------------------------

@@ -22,9 +22,6 @@ public:
   {
   }
 
-  /** Returns the wanted number of texels along an edge of a map. */
-  static int GetTexels(const vtkIndirectAreaLamps& lamps);
-
   /** Asks for the maps of one round of the lamps' points. */
   void Update(const vtkIndirectFrame& frame, const vtkIndirectAreaLamps& lamps, int round);
 

@@ -139,7 +139,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   }
   if (!this->Plan.Shadows)
   {
-    this->Penumbra.Clear(this->Frame);
+    this->Penumbra.Release(this->Frame.Window);
   }
   this->Paths = vtkIndirectPaths::GetAll();
   this->DepthMaps.Begin(this->Frame, request.Settings.Caching);

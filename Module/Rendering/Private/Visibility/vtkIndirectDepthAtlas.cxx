@@ -257,7 +257,7 @@ std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
     {
       if (k == 0 || tile.Strips[static_cast<size_t>(k - 1)].HalfWidth.x > 0.0)
       {
-        View view = { number, k, tile.GetView(k), {} };
+        View view = { number, &tile, k, tile.GetView(k), {} };
         view.ToClip = view.Camera.GetWorldToClip(frame);
         views.push_back(view);
         this->Use(frame, number, k);
@@ -269,14 +269,6 @@ std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
 }
 
 //------------------------------------------------------------------------------
-// Finds the views of a view's tile that see these bounds.
-unsigned int vtkIndirectDepthAtlas::FindViews(
-  const vtkIndirectFrame& frame, const View& view, const double bounds[6])
-{
-  return this->Drawn[static_cast<size_t>(view.Tile)].Tile.FindViews(frame, bounds, this->Texels);
-}
-
-//------------------------------------------------------------------------------
 // Draws all views of one prop after the other. Returns the casters that only their own mappers can
 // draw.
 std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
@@ -285,7 +277,7 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
   // A view, and the deviation of a coarse level in it, in world units.
   struct Look
   {
-    const View* Of;
+    const View* Seen;
     double Error;
   };
   std::vector<const vtkIndirectCaster*> others;
@@ -304,7 +296,7 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
     for (const View& view : views)
     {
       // Views of a tile follow each other, the view ahead first.
-      seen = view.Number == 0 ? this->FindViews(frame, view, caster.Bounds) : seen;
+      seen = view.Number == 0 ? view.Whole->FindViews(frame, caster.Bounds, this->Texels) : seen;
       if ((seen >> view.Number) & 1u)
       {
         Look look = { &view, 0.0 };
@@ -328,7 +320,7 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
       }
       for (const Look& look : list)
       {
-        const View& view = *look.Of;
+        const View& view = *look.Seen;
         this->Use(frame, view.Tile, view.Number);
         if (level)
         {
@@ -381,7 +373,7 @@ void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
       frame, { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, std::max(widths.x, widths.y) });
     for (const vtkIndirectCaster* caster : casters)
     {
-      if ((this->FindViews(frame, view, caster->Bounds) >> view.Number) & 1u)
+      if ((view.Whole->FindViews(frame, caster->Bounds, this->Texels) >> view.Number) & 1u)
       {
         capture->BeginCaster(false);
         caster->Prop->RenderOpaqueGeometry(frame.Renderer);

@@ -109,6 +109,7 @@ private:
   struct View
   {
     int Tile;
+    const vtkIndirectDepthTile* Whole; // the tile as it is drawn
     int Number;
     vtkIndirectDepthTile Camera;
     glm::dmat4 ToClip;
@@ -117,7 +118,6 @@ private:
   glm::ivec2 GetTileSize(int texels) const;
   void Use(const vtkIndirectFrame& frame, int tile, int view);
   std::vector<View> Clear(const vtkIndirectFrame& frame, const std::vector<int>& tiles);
-  unsigned int FindViews(const vtkIndirectFrame& frame, const View& view, const double bounds[6]);
   std::vector<const vtkIndirectCaster*> DrawPlain(
     const vtkIndirectFrame& frame, const std::vector<View>& views);
   void DrawOthers(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,

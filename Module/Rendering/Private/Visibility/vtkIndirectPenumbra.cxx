@@ -286,7 +286,7 @@ bool vtkIndirectPenumbra::Update(
   }
   if (this->Lights.empty())
   {
-    this->Clear(frame);
+    this->Release(frame.Window);
     return true;
   }
   // Maps are no finer than the user wants shadows to be, and no finer than the atlas has room for.
@@ -334,15 +334,6 @@ bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
   }
   this->Tiles.End();
   return program != nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectPenumbra::Clear(const vtkIndirectFrame& frame)
-{
-  if (this->Texels > 0)
-  {
-    this->Release(frame.Window);
-  }
 }
 
 //------------------------------------------------------------------------------

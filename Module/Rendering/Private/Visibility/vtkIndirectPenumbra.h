@@ -38,14 +38,13 @@ public:
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectLightMaps& maps,
     vtkSurfaceCapturePass* capture);
-  /** Releases its maps: shaders look up no penumbra. */
-  void Clear(const vtkIndirectFrame& frame);
 
   /** Adds its maps to the shadows and binds them; pair with Deactivate. */
   void Activate(vtkIndirectShadowMaps& shadows);
   void Deactivate() const;
 
   void AddToReport(vtkIndirectReport& report) const;
+  /** Releases the maps: shaders look up no penumbra. */
   void Release(vtkWindow* window);
 
   /**
