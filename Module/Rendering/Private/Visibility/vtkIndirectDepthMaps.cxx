@@ -132,20 +132,20 @@ void vtkIndirectDepthMaps::AddToReport(vtkIndirectReport& report) const
     {
       continue;
     }
-    auto add = [&](int count, const char* what, const char* why)
+    auto add = [&](int count, const char* before, const char* after, const char* why)
     {
       if (count > 0)
       {
-        report.LeftOut.emplace_back(
-          what + std::to_string(count) + " depth maps of " + client.Name, why);
+        report.LeftOut.emplace_back(before + std::to_string(count) + after + client.Name, why);
       }
     };
     const int missing = atlas.GetNumberOfMissingTiles();
-    add(atlas.GetNumberOfTilesTooMany(), "",
+    add(atlas.GetNumberOfTilesTooMany(), "depth maps of ", " ",
       "there is no memory for so many; other maps stand for them, and nothing hides a light that "
       "has none");
-    add(missing, "", "further frames draw them; until then other maps stand for them");
-    add(atlas.GetNumberOfTilesLeft() - missing, "what has just moved, in ",
+    add(missing, "depth maps of ", " ",
+      "further frames draw them; until then other maps stand for them");
+    add(atlas.GetNumberOfTilesLeft() - missing, "what has just moved, in ", " depth maps of ",
       "further frames draw them again");
   }
 }
