@@ -15,11 +15,6 @@ vtkStandardNewMacro(vtkAreaLightSampler);
 
 namespace
 {
-glm::dvec3 ToVector(const double v[3])
-{
-  return { v[0], v[1], v[2] };
-}
-
 class AreaLights : public vtkIndirectSampler
 {
 public:
@@ -113,7 +108,7 @@ bool AreaLights::Update(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   // Radiances come first, because reading them may update the pipeline of a texture.
-  std::vector<vtkIndirectAreaClusters::Emitter> emitters;
+  std::vector<vtkIndirectAreaClusters::Image> images;
   for (int i = 0; i < this->Set.GetNumberOfAreaLights(); ++i)
   {
     vtkAreaLight* const light = this->Set.GetAreaLight(i);
@@ -121,19 +116,13 @@ bool AreaLights::Update(const Input& input)
     {
       continue;
     }
-    vtkIndirectAreaClusters::Emitter emitter;
-    const std::vector<float>& radiances = light->GetRadiances(emitter.Columns, emitter.Rows);
-    if (radiances.empty())
+    vtkIndirectAreaClusters::Image image(light, frame.SceneCenter, frame.SceneScale);
+    const std::vector<float>& radiances = light->GetRadiances(image.Columns, image.Rows);
+    if (!radiances.empty())
     {
-      continue;
+      image.Radiances = radiances.data();
+      images.push_back(image);
     }
-    emitter.Radiances = radiances.data();
-    const glm::dvec3 origin = ToVector(light->GetOrigin());
-    emitter.Origin = (origin - frame.SceneCenter) * frame.SceneScale;
-    emitter.Edge1 = (ToVector(light->GetPoint1()) - origin) * frame.SceneScale;
-    emitter.Edge2 = (ToVector(light->GetPoint2()) - origin) * frame.SceneScale;
-    emitter.TwoSided = light->GetTwoSided();
-    emitters.push_back(emitter);
   }
   vtkIndirectKey key;
   key.Add("sampler", this->GetSettingsTime()).Add("number of lights", frame.Lights.size());
@@ -145,7 +134,7 @@ bool AreaLights::Update(const Input& input)
   this->MadeKey.Clear();
   std::vector<Row> rows;
   for (const vtkIndirectAreaClusters::Light& light :
-    vtkIndirectAreaClusters::MakeLights(emitters, this->Set.GetNumberOfLights()))
+    vtkIndirectAreaClusters::MakeLights(images, this->Set.GetNumberOfLights()))
   {
     rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
       { light.Normal.x, light.Normal.y, light.Normal.z },

@@ -36,16 +36,16 @@ double FindSmoothing(int vertices)
 }
 
 // Makes a key of the inputs of the paths, except the surfaces.
-vtkIndirectKey MakeKey(const std::vector<vtkIndirectRandomWalk::Source>& sources,
-  const vtkIndirectRandomWalk::Settings& settings)
+vtkIndirectKey MakeKey(
+  const vtkIndirectEmitters::List& emitters, const vtkIndirectRandomWalk::Settings& settings)
 {
   vtkIndirectKey key;
   key.Add("number of vertices", settings.NumberOfVertices);
   key.Add("bounces", settings.FirstBounce).Add("bounces", settings.LastBounce);
-  for (const vtkIndirectRandomWalk::Source& source : sources)
+  for (const vtkIndirectEmitter& emitter : emitters)
   {
-    source.Light.AppendTo(key);
-    key.Add("strengths", source.Strength).Add("bounces", source.FirstBounce);
+    emitter.Light.AppendTo(key);
+    key.Add("strengths", emitter.Strength).Add("bounces", emitter.FirstBounce);
   }
   return key;
 }
@@ -79,7 +79,7 @@ private:
   std::vector<std::pair<std::string, std::string>> LeftOut; // entries of the surfaces
   vtkIndirectRandomWalk Paths;
   vtkIndirectSenderClusters Clusters;
-  size_t NumberOfSources = 0;
+  size_t NumberOfEmitters = 0;
   int NumberOfWalks = 0;
   int Frames = 0;       // number of frames that the walk extends over so far
   bool HasMore = false; // a still frame would have more vertices
@@ -112,10 +112,10 @@ void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 void WalkLights::FindSenders(vtkIndirectFurtherSenders& senders) const
 {
   senders.Senders.clear();
-  senders.NumberOfMaps = this->NumberOfSources;
+  senders.NumberOfMaps = this->NumberOfEmitters;
   for (const vtkIndirectRandomWalk::Vertex& vertex : this->Paths.GetVertices())
   {
-    const int map = vertex.Bounce == 1 ? vertex.Source : static_cast<int>(this->NumberOfSources);
+    const int map = vertex.Bounce == 1 ? vertex.Emitter : static_cast<int>(this->NumberOfEmitters);
     senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
     senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
       static_cast<float>(vertex.Area), glm::vec3(vertex.DensityArea), map,
@@ -127,18 +127,19 @@ void WalkLights::FindSenders(vtkIndirectFurtherSenders& senders) const
 // Follows the paths if they have changed. Returns true if they have.
 bool WalkLights::Walk(const Input& input)
 {
-  std::vector<vtkIndirectRandomWalk::Source> sources;
+  vtkIndirectEmitters::List emitters;
   for (const vtkIndirectLight& light : input.Frame.Lights)
   {
     if (!light.Fill && light.Color != glm::dvec3(0.0))
     {
-      sources.push_back({ light, light.Color, 1 });
+      emitters.push_back({ 0, light, light.Color });
     }
   }
-  // The first bounce of emitters comes from maps of their own.
+  // The first bounce of the sky and of area lights comes from maps of their own.
   for (size_t i = 0; input.Emitters && i < input.Emitters->size(); ++i)
   {
-    sources.push_back({ (*input.Emitters)[i].Light, (*input.Emitters)[i].Strength, 2 });
+    emitters.push_back((*input.Emitters)[i]);
+    emitters.back().FirstBounce = 2;
   }
   vtkIndirectRandomWalk::Settings settings;
   settings.NumberOfVertices = this->Set.GetNumberOfVertices() > 0 ? this->Set.GetNumberOfVertices()
@@ -146,14 +147,14 @@ bool WalkLights::Walk(const Input& input)
   settings.FirstBounce = this->Set.GetFirstBounce();
   settings.LastBounce = input.NumberOfBounces;
   const bool moved = this->SurfacesTime != input.Surfaces->GetTime();
-  vtkIndirectKey key = MakeKey(sources, settings);
+  vtkIndirectKey key = MakeKey(emitters, settings);
   bool same = !moved && key == this->WalkKey;
   bool coarse = false;
   if (!same && input.Interactive && this->Set.GetNumberOfVertices() > 0)
   {
     settings.NumberOfVertices = std::max(this->Set.GetNumberOfVertices() / FewerWhileMoving, 1);
     coarse = true;
-    key = MakeKey(sources, settings);
+    key = MakeKey(emitters, settings);
     same = !moved && key == this->WalkKey;
   }
   const int next = this->Frames + (input.Interactive ? 0 : 1);
@@ -169,13 +170,13 @@ bool WalkLights::Walk(const Input& input)
   // them.
   settings.NumberOfVertices *= number;
   this->Frames = number;
-  this->Paths.Walk(*input.Surfaces, input.Frame, sources, settings);
+  this->Paths.Walk(*input.Surfaces, input.Frame, emitters, settings);
   this->SurfacesTime = input.Surfaces->GetTime();
   this->NumberOfTriangles = input.Surfaces->GetTree().GetNumberOfTriangles();
   this->NumberOfSpheres = input.Surfaces->GetTree().GetNumberOfSpheres();
   this->NumberOfTreeBuilds = input.Surfaces->GetNumberOfBuilds();
   this->LeftOut = input.Surfaces->GetLeftOut();
-  this->NumberOfSources = sources.size();
+  this->NumberOfEmitters = emitters.size();
   this->Smoothing = FindSmoothing(settings.NumberOfVertices);
   this->WalkKey = key;
   ++this->NumberOfWalks;

@@ -3,6 +3,7 @@
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
+#include "vtkAreaLight.h"
 #include "vtkCamera.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
@@ -294,4 +295,32 @@ VTK_INDIRECT_TEST(SkySharesTheTimeForMaps)
   }
   CheckEqual("maps of the sky in the end", ofSky, 64);
   CheckAtLeast("maps of lights in the end", all - ofSky, 64, "of the spot and of the sky's bounce");
+}
+
+// Area lights have their share from the first frame on, within the same budget.
+VTK_INDIRECT_TEST(AreaLightsShareTheTimeForMaps)
+{
+  SkyScene scene(nullptr, false);
+  scene.AddSpot({ 0, 3, 1 }, { 0, 0, 0 }, 25.0, 0.0, { 0, 0, 1 });
+  vtkNew<vtkAreaLight> lamp;
+  lamp->SetOrigin(-0.5, 2.0, -0.5);
+  lamp->SetPoint1(0.5, 2.0, -0.5);
+  lamp->SetPoint2(-0.5, 2.0, 0.5);
+  scene.Pass->AddAreaLight(lamp);
+  scene.Sampler->SetNumberOfLights(64);
+  scene.Gather->SetModeToVirtualLights();
+  scene.Pass->SetVisibilityToMaps();
+  scene.Window->SetDesiredUpdateRate(Moving);
+  double all = 0.0;
+  for (int frames = 0; frames < 4; ++frames)
+  {
+    scene.Render();
+    const double drawn = scene.ReadReport("tiles_drawn") - all;
+    CheckEqual("maps drawn in a frame", drawn, 8);
+    all += drawn;
+    const std::string missing =
+      "depth maps of " + std::to_string(64 - 4 * (frames + 1)) + " points of area lights";
+    Check("half of them are of the area light",
+      std::string(scene.Pass->GetReport()).find(missing) != std::string::npos, missing);
+  }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A few lights that represent the texels of many maps, and the sky in a few directions: no light is
 // lost.
+#include "VirtualLights/vtkIndirectEmitters.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h"
-#include "VirtualLights/vtkIndirectSkyGroups.h"
 #include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
@@ -227,12 +227,11 @@ VTK_INDIRECT_TEST(ClustersStay)
 
 VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
 {
-  using vtkIndirectSkyGroups::Group;
   const double pi = vtkMath::Pi();
-  auto total = [](const std::vector<Group>& groups)
+  auto total = [](const vtkIndirectEmitters::List& groups)
   {
     glm::dvec3 sum(0.0);
-    for (const Group& group : groups)
+    for (const vtkIndirectEmitter& group : groups)
     {
       sum += group.Strength;
     }
@@ -241,9 +240,15 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
   vtkNew<vtkEnvironmentLight> environment;
   environment->SetRadiance(3.0, 1.0, 0.5);
   vtkIndirectSkyProjection projection;
-  std::vector<Group> groups = vtkIndirectSkyGroups::Make(projection, environment);
+  auto make = [&]()
+  {
+    vtkIndirectEmitters::List emitters;
+    vtkIndirectEmitters::AddSky(emitters, projection, environment);
+    return emitters;
+  };
+  vtkIndirectEmitters::List groups = make();
   CheckEqual("groups of a uniform sky", static_cast<double>(groups.size()),
-    vtkIndirectSkyGroups::NumberOfDirections);
+    vtkIndirectEmitters::NumberOfSkyGroups);
   CheckRelative("its light", total(groups).x, 4.0 * 3.0, 1e-12, "rounding of a sum");
   CheckRelative("in green", total(groups).y, 4.0, 1e-12, "rounding of a sum");
   Random random(7);
@@ -252,9 +257,9 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
   {
     const glm::dvec3 normal = random.NextDirection();
     double irradiance = 0.0;
-    for (const Group& group : groups)
+    for (const vtkIndirectEmitter& group : groups)
     {
-      irradiance += group.Strength.y * std::max(glm::dot(group.Direction, normal), 0.0);
+      irradiance += group.Strength.y * std::max(glm::dot(-group.Light.DirectionWC, normal), 0.0);
     }
     worst = std::max(worst, std::abs(irradiance - 1.0));
   }
@@ -273,24 +278,25 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
     }
   }
   environment->SetImage(image);
-  groups = vtkIndirectSkyGroups::Make(projection, environment);
+  groups = make();
   // The lowest row of directions but one is 9 degrees below the horizon: within half a group.
   CheckAtLeast("directions above the horizon, and the sun", static_cast<double>(groups.size()), 17,
     "half of 32");
   CheckAtMost("without those below it", static_cast<double>(groups.size()), 26,
     "groups reach 20 degrees from their direction");
   const auto sun = std::max_element(groups.begin(), groups.end(),
-    [](const Group& a, const Group& b) { return a.Strength.x < b.Strength.x; });
-  Check("which stands by itself", sun->Number >= vtkIndirectSkyGroups::NumberOfDirections);
+    [](const vtkIndirectEmitter& a, const vtkIndirectEmitter& b)
+    { return a.Strength.x < b.Strength.x; });
+  Check("which stands by itself", sun->Number >= vtkIndirectEmitters::NumberOfSkyGroups);
   const double longitude = 2.0 * pi * (70.5 / 256 - 0.5);
   const double latitude = pi * (100.5 / 128 - 0.5);
   const glm::dvec3 from(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
     -std::cos(latitude) * std::cos(longitude));
-  CheckAtLeast("where it is", glm::dot(sun->Direction, from), std::cos(glm::radians(0.5)),
+  CheckAtLeast("where it is", glm::dot(-sun->Light.DirectionWC, from), std::cos(glm::radians(0.5)),
     "the sky around it, of which a circle of 7 degrees has a 24th of the sun's light");
 
   vtkNew<vtkImageData> black;
   MakeImage(black, 4, 2);
   environment->SetImage(black);
-  Check("a black sky has no groups", vtkIndirectSkyGroups::Make(projection, environment).empty());
+  Check("a black sky has no groups", make().empty());
 }

@@ -91,9 +91,9 @@ vtkIndirectPenumbra::Light Fit(
 double FindReach(const vtkIndirectFrame& frame, const vtkIndirectPenumbra::Light& fit)
 {
   double reach = 0.0;
-  for (const auto& emitter : fit.Emitters)
+  for (const vtkIndirectDepthTile& tile : fit.Tiles)
   {
-    const glm::dmat4 toClip = emitter.Tile.GetWorldToClip(frame);
+    const glm::dmat4 toClip = tile.GetWorldToClip(frame);
     for (int i = 0; i < 8; ++i)
     {
       const double* b = frame.Casters.front().Bounds;
@@ -209,7 +209,7 @@ VTK_INDIRECT_TEST(PenumbraMaps)
     const vtkIndirectPenumbra::Light unit = Fit(MakeFrame(1.0), c.Light, 1.0);
     const std::string name(c.Name);
     CheckEqual(name + ": faces", unit.Map.Map.NumberOfFaces, c.Faces);
-    CheckEqual(name + ": tiles", double(unit.Emitters.size()), c.Faces * VTKI_LIGHT_POINTS);
+    CheckEqual(name + ": tiles", double(unit.Tiles.size()), c.Faces * VTKI_LIGHT_POINTS);
     CheckEqual(name + ": holds all", unit.Map.HoldsAll, c.HoldsAll);
     Check(name + ": numbers are finite",
       std::isfinite(unit.Map.Map.HalfWidth) && std::isfinite(unit.Map.Map.Far) &&

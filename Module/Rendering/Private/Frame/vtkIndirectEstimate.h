@@ -16,7 +16,6 @@ class vtkIndirectTarget;
 class vtkIndirectVirtualLights;
 class vtkIndirectVisibility;
 class vtkIndirectLightMaps;
-class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 
@@ -52,7 +51,6 @@ struct vtkIndirectEstimateInput
   vtkEnvironmentLight* Environment = nullptr;     // null where the frame has none
   vtkIndirectSkyProjection* Projection = nullptr; // of the environment onto directions
   const std::vector<vtkSmartPointer<vtkAreaLight>>* AreaLights = nullptr;
-  vtkSurfaceCapturePass* Capture = nullptr; // draws depth maps
 };
 
 struct vtkIndirectEstimate

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One kind of light that the frame adds to VTK's own shading: bounces, the sky, area lights. The
-// pipeline treats all kinds alike: it compares the key of their inputs, gives each its share of the
-// frame's depth maps, and hands their contributions to the composite.
+// pipeline treats all kinds alike: it compares the key of their inputs, lets them ask for depth
+// maps, and hands their contributions to the composite.
 #ifndef vtkIndirectFrameLight_h
 #define vtkIndirectFrameLight_h
 
 #include "Frame/vtkIndirectEstimate.h" // for inputs and results
-
-#include <cstddef> // for size_t
 
 class vtkIndirectKey;
 class vtkWindow;
@@ -25,29 +23,23 @@ public:
   /** Appends the inputs of the result, except those that all light of the frame depends on. */
   virtual void AppendTo(vtkIndirectKey& key, const Input& input) const = 0;
 
-  /** The number of depth maps that the frame may have to draw for this light. */
-  virtual int CountMapsNeeded(const Input& input) const = 0;
   /**
-   * Brings virtual lights and depth maps up to date, and draws at most `mostMaps` of these maps.
-   * Returns false, after an error, when OpenGL refuses.
+   * Brings virtual lights up to date, and asks for depth maps (vtkIndirectDepthMaps). Returns
+   * false, after an error, when OpenGL refuses. If Input::Still is true, the key has not changed
+   * since the last result.
    */
-  virtual bool Update(const Input& input, int mostMaps) = 0;
-  /** The number of depth maps that have been drawn since construction. */
-  virtual size_t GetNumberOfTilesDrawn() const = 0;
-  /** Returns true if all depth maps of the last Update are present and up to date. */
+  virtual bool Update(const Input& input) = 0;
+  /** Returns true if all depth maps of the last frame are present and up to date. */
   virtual bool IsComplete() const { return this->GetNumberOfTilesLeft() == 0; }
   /**
    * Returns the number of depth maps that further frames draw, including maps that refine the
    * result.
    */
-  virtual int GetNumberOfTilesLeft() const = 0;
+  virtual int GetNumberOfTilesLeft() const { return 0; }
   /** Returns true if a further frame of the same scene would have more virtual lights. */
   virtual bool HasMore(const Input&) const { return false; }
 
-  /**
-   * Computes the light, after Update. If Input::Still is true, neither the key nor a depth map has
-   * changed since the last result.
-   */
+  /** Computes the light, after depth maps have been drawn. */
   virtual vtkIndirectEstimate Sum(const Input& input) = 0;
   /** Returns true if the images of the last result still hold that result. */
   virtual bool IsCurrent() const { return true; }

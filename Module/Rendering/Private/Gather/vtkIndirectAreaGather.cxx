@@ -4,7 +4,6 @@
 #include "Gather/vtkIndirectAreaGather.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectPlan.h"
@@ -25,8 +24,10 @@ const vtkIndirectChannel Channels[] = {
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaGather::vtkIndirectAreaGather()
-  : Irradiance(Channels, false)
+vtkIndirectAreaGather::vtkIndirectAreaGather(vtkIndirectDepthMaps& maps)
+  : Maps(maps, vtkIndirectDepthMaps::AREA_LIGHTS)
+  , Rounds(maps)
+  , Irradiance(Channels, false)
 {
 }
 
@@ -43,26 +44,19 @@ void vtkIndirectAreaGather::AppendTo(vtkIndirectKey& key, const Input& input) co
 }
 
 //------------------------------------------------------------------------------
-int vtkIndirectAreaGather::CountMapsNeeded(const Input& input) const
-{
-  return input.Plan.AreaIsShadowed && !this->IsComplete() ? VTK_INT_MAX : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectAreaGather::Update(const Input& input, int mostMaps)
+bool vtkIndirectAreaGather::Update(const Input& input)
 {
   input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   this->Lamps.Update(input.Frame, *input.AreaLights);
   this->Visible = input.Plan.AreaIsShadowed;
   this->Moving = input.Plan.Interactive;
-  bool updated = true;
   if (this->Visible)
   {
-    const size_t before = this->Maps.GetAtlas().GetNumberOfTilesDrawn();
-    updated =
-      this->Maps.Update(input.Frame, input.Capture, this->Lamps, 0, input.Plan.Caching, mostMaps);
-    this->TilesLeft =
-      mostMaps - static_cast<int>(this->Maps.GetAtlas().GetNumberOfTilesDrawn() - before);
+    this->Maps.Update(input.Frame, this->Lamps, 0);
+    if (input.Still && this->Maps.IsComplete() && !this->IsFinished())
+    {
+      this->Rounds.RequestNext(input.Frame, this->Lamps);
+    }
   }
   else
   {
@@ -70,7 +64,7 @@ bool vtkIndirectAreaGather::Update(const Input& input, int mostMaps)
     this->Rounds.Release(input.Frame.Window);
   }
   input.Timer.End(vtkIndirectStageTimer::Visibility);
-  return updated;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -90,7 +84,7 @@ int vtkIndirectAreaGather::GetNumberOfTilesLeft() const
   const int rounds = this->IsFinished()
     ? 0
     : vtkIndirectAreaLamps::NumberOfRounds - this->Rounds.GetNumberOfRounds();
-  return this->Maps.GetAtlas().GetNumberOfStaleTiles() +
+  return this->Maps.GetAtlas().GetNumberOfTilesLeft() +
     rounds * this->Maps.GetAtlas().GetNumberOfTiles();
 }
 
@@ -103,24 +97,13 @@ double vtkIndirectAreaGather::GetTolerance(const Input& input) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaGather::SetLamp(const Input& input, vtkShaderProgram* program, const Lamp& lamp)
-{
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  vtkIndirectSetUniform(program, "vtkiAreaCorner", glm::vec3(lamp.Corner));
-  vtkIndirectSetUniform(program, "vtkiAreaEdge1", glm::vec3(lamp.Edge1));
-  vtkIndirectSetUniform(program, "vtkiAreaEdge2", glm::vec3(lamp.Edge2));
-  vtkIndirectSetUniform(program, "vtkiAreaNormal", glm::vec3(lamp.Normal));
-  program->SetUniformi("vtkiAreaTwoSided", lamp.TwoSided ? 1 : 0);
-  vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp.Radiance));
-}
-
-//------------------------------------------------------------------------------
 vtkIndirectEstimate vtkIndirectAreaGather::Sum(const Input& input)
 {
   vtkIndirectEstimate result;
+  Input own = input;
+  own.Still = input.Still && !this->Maps.GetAtlas().HasChanged();
   input.Timer.Begin(vtkIndirectStageTimer::Area);
-  const bool summed = this->SumAll(input);
+  const bool summed = this->SumAll(own);
   input.Timer.End(vtkIndirectStageTimer::Area);
   if (summed)
   {
@@ -198,12 +181,11 @@ bool vtkIndirectAreaGather::SumIrradiance(const Input& input)
 bool vtkIndirectAreaGather::SumRounds(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  const vtkIndirectAreaRounds::Input rounds = { frame, input.Geometry, input.Capture, this->Lamps,
-    this->Maps, input.Plan.Caching };
+  const vtkIndirectAreaRounds::Input rounds = { frame, input.Geometry, this->Lamps, this->Maps };
   bool done = this->Rounds.Resize(frame);
   if (done && input.Still)
   {
-    done = this->Rounds.Continue(rounds, this->TilesLeft);
+    done = this->Rounds.Continue(rounds);
   }
   vtkIndirectFullScreenState kernelState(frame.Window);
   if (done && !input.Still)
@@ -233,16 +215,16 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
   target.Clear();
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  for (const auto& each : this->Lamps.Get())
+  for (const auto& lamp : this->Lamps.Get())
   {
-    const Lamp& lamp = *each;
     vtkShaderProgram* program = this->Kernel.Use(frame.Window);
     done = program != nullptr;
     if (!done)
     {
       break;
     }
-    this->SetLamp(input, program, lamp);
+    vtkIndirectAreaLamps::SetUniforms(program, frame, *lamp);
+    vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp->Radiance));
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
     this->Kernel.Draw();
     input.Geometry.GetTarget().Deactivate();
@@ -255,9 +237,8 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
 //------------------------------------------------------------------------------
 size_t vtkIndirectAreaGather::GetBytes() const
 {
-  return this->Irradiance.GetBytes() + this->Maps.GetAtlas().GetBytes() + this->Lamps.GetBytes() +
-    this->Samples.GetBytes() + this->StillSamples.GetBytes() + this->Rounds.GetBytes() +
-    this->Lobes.GetBytes();
+  return this->Irradiance.GetBytes() + this->Lamps.GetBytes() + this->Samples.GetBytes() +
+    this->StillSamples.GetBytes() + this->Rounds.GetBytes() + this->Lobes.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -279,28 +260,6 @@ void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report, const vtkIndi
       std::to_string(this->Maps.GetAtlas().GetTexels()) + " texels squared";
   }
   report.Modelled.emplace_back("light of area lights", what);
-  const int missing = this->Visible ? this->Maps.GetAtlas().GetNumberOfMissingTiles() : 0;
-  const int stale = this->Visible ? this->Maps.GetAtlas().GetNumberOfStaleTiles() - missing : 0;
-  const int tooMany = this->Visible ? this->Maps.GetAtlas().GetNumberOfTilesTooMany() : 0;
-  if (tooMany > 0)
-  {
-    report.LeftOut.emplace_back(
-      "depth maps of " + std::to_string(tooMany) + " points of area lights",
-      "there is no memory for so many; other points of a light stand for them, and nothing hides a "
-      "light that has none");
-  }
-  if (missing > 0)
-  {
-    report.LeftOut.emplace_back(
-      "depth maps of " + std::to_string(missing) + " points of area lights",
-      "further frames draw them; until then others stand for them");
-  }
-  if (stale > 0)
-  {
-    report.LeftOut.emplace_back(
-      "what has just moved, in " + std::to_string(stale) + " depth maps of area lights",
-      "further frames draw them again");
-  }
   if (!this->IsFinished())
   {
     const int left = vtkIndirectAreaLamps::NumberOfRounds - this->Rounds.GetNumberOfRounds();

@@ -16,21 +16,14 @@
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 
-class vtkShaderProgram;
-
 class vtkIndirectAreaGather : public vtkIndirectFrameLight
 {
 public:
-  vtkIndirectAreaGather();
+  explicit vtkIndirectAreaGather(vtkIndirectDepthMaps& maps);
 
   const char* GetName() const override { return "light of area lights"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
-  int CountMapsNeeded(const Input& input) const override;
-  bool Update(const Input& input, int mostMaps) override;
-  size_t GetNumberOfTilesDrawn() const override
-  {
-    return this->Maps.GetAtlas().GetNumberOfTilesDrawn() + this->Rounds.GetNumberOfTilesDrawn();
-  }
+  bool Update(const Input& input) override;
   bool IsComplete() const override { return !this->Visible || this->Maps.IsComplete(); }
   int GetNumberOfTilesLeft() const override;
   /** Sums the light. Further rounds of points of each light refine a still result. */
@@ -41,8 +34,6 @@ public:
   size_t GetBytes() const;
 
 private:
-  using Lamp = vtkIndirectAreaLamps::Lamp;
-
   bool IsFinished() const;
   bool SumAll(const Input& input);
   double GetTolerance(const Input& input) const;
@@ -50,13 +41,11 @@ private:
   bool SumLobes(const Input& input);
   bool SumRounds(const Input& input);
   bool SumOpen(const Input& input, vtkIndirectTarget& target);
-  void SetLamp(const Input& input, vtkShaderProgram* program, const Lamp& lamp);
 
   vtkIndirectAreaLamps Lamps;
   vtkIndirectAreaMaps Maps; // maps of the first round
   bool Visible = false;     // something can hide the lamps
   bool Moving = false;
-  int TilesLeft = 0; // maps left to draw in this frame
   vtkIndirectFullScreenProgram Kernel{ "vtkIndirectAreaFS.glsl" }; // for lamps of one radiance
   vtkIndirectAreaSamples Samples;                                  // for moving frames
   vtkIndirectAreaSamples StillSamples;                             // for images, in still frames

@@ -3,8 +3,9 @@
 
 #include "Gather/vtkIndirectAreaLamps.h"
 
+#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "vtkAreaLight.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
@@ -20,11 +21,6 @@ const vtkIndirectChannel PyramidChannels[] = {
 
 // Rows of the images' common texture: half of what every OpenGL 4 allows, to be safe.
 constexpr int MostRows = 8192;
-
-glm::dvec3 ToVector(const double v[3])
-{
-  return { v[0], v[1], v[2] };
-}
 
 // Makes a net of points of the square: any power of two of points is such a net, and so is any run
 // of that many points from a multiple of it on (Sobol 1967, the first two dimensions). The flipped
@@ -120,16 +116,9 @@ std::vector<vtkIndirectAreaLamps::Point> vtkIndirectAreaLamps::MakePoints(
 //------------------------------------------------------------------------------
 void vtkIndirectAreaLamps::UpdateLamp(Lamp& lamp, vtkAreaLight* light, int texels)
 {
-  const glm::dvec3 origin = ToVector(light->GetOrigin());
-  lamp.Corner = (origin - this->SceneCenter) * this->SceneScale;
-  lamp.Edge1 = (ToVector(light->GetPoint1()) - origin) * this->SceneScale;
-  lamp.Edge2 = (ToVector(light->GetPoint2()) - origin) * this->SceneScale;
-  double values[3];
-  light->GetNormal(values);
-  lamp.Normal = ToVector(values);
-  light->GetMeanRadiance(values);
-  lamp.Radiance = ToVector(values);
-  lamp.TwoSided = light->GetTwoSided();
+  static_cast<vtkIndirectRectangle&>(lamp) =
+    vtkIndirectRectangle(light, this->SceneCenter, this->SceneScale);
+  light->GetMeanRadiance(&lamp.Radiance[0]);
   const bool same =
     lamp.Light == light && lamp.Time == light->GetMTime() && lamp.Pyramid.GetEdge(0) <= texels;
   lamp.Light = light;
@@ -188,6 +177,19 @@ bool vtkIndirectAreaLamps::Update(
   }
   this->PlaceImages();
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectAreaLamps::SetUniforms(
+  vtkShaderProgram* program, const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp)
+{
+  vtkIndirectSetEyeUniforms(program, frame);
+  program->SetUniform2i("vtkiSize", frame.Size);
+  vtkIndirectSetUniform(program, "vtkiAreaCorner", glm::vec3(lamp.Corner));
+  vtkIndirectSetUniform(program, "vtkiAreaEdge1", glm::vec3(lamp.Edge1));
+  vtkIndirectSetUniform(program, "vtkiAreaEdge2", glm::vec3(lamp.Edge2));
+  vtkIndirectSetUniform(program, "vtkiAreaNormal", glm::vec3(lamp.Normal));
+  program->SetUniformi("vtkiAreaTwoSided", lamp.TwoSided ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -6,16 +6,17 @@
 #ifndef vtkIndirectAreaLamps_h
 #define vtkIndirectAreaLamps_h
 
-#include "Gather/vtkIndirectAreaPyramid.h" // for members
-#include "OpenGL/vtkIndirectTarget.h"      // for a member
-#include "vtkSmartPointer.h"               // for lights
-#include "vtkType.h"                       // for times
+#include "Gather/vtkIndirectAreaPyramid.h"      // for members
+#include "OpenGL/vtkIndirectTarget.h"           // for a member
+#include "VirtualLights/vtkIndirectRectangle.h" // for places
+#include "vtkSmartPointer.h"                    // for lights
+#include "vtkType.h"                            // for times
 
 #include <glm/glm.hpp> // for places
 #include <memory>      // for lamps
 #include <vector>      // for lists
 
-class vtkAreaLight;
+class vtkShaderProgram;
 class vtkWindow;
 struct vtkIndirectFrame;
 
@@ -38,25 +39,14 @@ public:
     glm::dvec3 Weight{ 1.0 };  // radiance over the mean
     int Tiles[2] = { -1, -1 }; // tiles of the front and of the back
   };
-  struct Lamp
+  struct Lamp : vtkIndirectRectangle // in scene units
   {
     vtkAreaLight* Light = nullptr; // to be compared only
     vtkMTimeType Time = 0;         // time of the light for which the other members were made
-    glm::dvec3 Corner{ 0.0 };      // scene units
-    glm::dvec3 Edge1{ 0.0 };
-    glm::dvec3 Edge2{ 0.0 };
-    glm::dvec3 Normal{ 0.0 };
-    glm::dvec3 Radiance{ 0.0 }; // mean radiance
-    bool TwoSided = false;
+    glm::dvec3 Radiance{ 0.0 };    // mean radiance
     vtkIndirectAreaPyramid Pyramid;
     int Row = -1; // first row of the image in the texture; -1 for a lamp of one radiance
     bool TextureIsStale = true;
-
-    double GetArea() const { return glm::length(glm::cross(this->Edge1, this->Edge2)); }
-    glm::dvec3 GetPlace(const Point& point) const
-    {
-      return this->Corner + point.Place.x * this->Edge1 + point.Place.y * this->Edge2;
-    }
   };
   using List = std::vector<std::unique_ptr<Lamp>>;
 
@@ -64,6 +54,9 @@ public:
   bool Update(
     const vtkIndirectFrame& frame, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
   const List& Get() const { return this->Lamps; }
+  /** Sets the uniforms of the eye and of a lamp's place. */
+  static void SetUniforms(
+    vtkShaderProgram* program, const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp);
 
   /** Returns the number of points of each lamp in a round. */
   int GetNumberOfPoints() const;

@@ -81,7 +81,7 @@ void vtkIndirectAreaLobes::SetPoints(const Input& input, vtkShaderProgram* progr
   for (size_t k = 0; k < count; ++k)
   {
     const vtkIndirectAreaLamps::Point& point = points[k];
-    block[k] = glm::vec4(glm::dvec4(lamp.GetPlace(point), 0.0));
+    block[k] = glm::vec4(glm::dvec4(lamp.GetPlace(point.Place), 0.0));
     block[MostPoints + k] = glm::vec4(glm::dvec4(point.Weight, 0.0));
     block[2 * MostPoints + k] = glm::vec4(maps.GetMiddle(point, 0), maps.GetMiddle(point, 1));
     block[3 * MostPoints + k] = maps.GetWindow(point, 0);
@@ -116,13 +116,7 @@ bool vtkIndirectAreaLobes::AddLamp(const Input& input, size_t number)
   {
     return false;
   }
-  vtkIndirectSetEyeUniforms(program, frame);
-  program->SetUniform2i("vtkiSize", frame.Size);
-  vtkIndirectSetUniform(program, "vtkiAreaCorner", glm::vec3(lamp.Corner));
-  vtkIndirectSetUniform(program, "vtkiAreaEdge1", glm::vec3(lamp.Edge1));
-  vtkIndirectSetUniform(program, "vtkiAreaEdge2", glm::vec3(lamp.Edge2));
-  vtkIndirectSetUniform(program, "vtkiAreaNormal", glm::vec3(lamp.Normal));
-  program->SetUniformi("vtkiAreaTwoSided", lamp.TwoSided ? 1 : 0);
+  vtkIndirectAreaLamps::SetUniforms(program, frame, lamp);
   const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
   geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
   geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);

@@ -15,28 +15,16 @@ constexpr int TexelsOfMany = 128;
 }
 
 //------------------------------------------------------------------------------
-int vtkIndirectAreaMaps::GetTexels(const vtkIndirectAreaLamps& lamps)
+void vtkIndirectAreaMaps::MakeMaps(const vtkIndirectAreaLamps& lamps)
 {
-  double count = 0.0;
-  for (const auto& lamp : lamps.Get())
-  {
-    count += lamps.GetNumberOfPoints() * (lamp->TwoSided ? 2.0 : 1.0);
-  }
-  return count * TexelsOfFew * TexelsOfFew <= 1.0 * MostTexels * MostTexels ? TexelsOfFew
-                                                                            : TexelsOfMany;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaMaps::MakeEmitters(const vtkIndirectAreaLamps& lamps)
-{
-  this->Emitters.clear();
+  this->Maps.clear();
   for (size_t i = 0; i < this->Lamps.size(); ++i)
   {
     const vtkIndirectAreaLamps::Lamp& lamp = *lamps.Get()[i];
     Made& made = this->Lamps[i];
     const size_t sides = lamp.TwoSided ? 2 : 1;
-    const size_t first = this->Emitters.size();
-    this->Emitters.resize(first + sides * made.Points.size());
+    const size_t first = this->Maps.size();
+    this->Maps.resize(first + sides * made.Points.size());
     for (size_t side = 0; side < sides; ++side)
     {
       std::vector<vtkIndirectDepthTile*> tiles;
@@ -46,11 +34,11 @@ void vtkIndirectAreaMaps::MakeEmitters(const vtkIndirectAreaLamps& lamps)
         const size_t number = first + side * made.Points.size() + k;
         point.Tiles[0] = static_cast<int>(first + k);
         point.Tiles[1] = lamp.TwoSided ? static_cast<int>(first + made.Points.size() + k) : -1;
-        vtkIndirectDepthAtlas::Emitter& emitter = this->Emitters[number];
-        emitter.Tile = vtkIndirectDepthTile::FromPlace(
-          lamp.GetPlace(point), side == 0 ? lamp.Normal : -lamp.Normal);
-        emitter.Turn = k;
-        tiles.push_back(&emitter.Tile);
+        vtkIndirectDepthMaps::Map& map = this->Maps[number];
+        map.Tile = vtkIndirectDepthTile::FromPlace(
+          lamp.GetPlace(point.Place), side == 0 ? lamp.Normal : -lamp.Normal);
+        map.Turn = k;
+        tiles.push_back(&map.Tile);
       }
       made.Window.Fit(tiles);
       made.Views[side] = *tiles.front();
@@ -59,8 +47,8 @@ void vtkIndirectAreaMaps::MakeEmitters(const vtkIndirectAreaLamps& lamps)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAreaMaps::Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-  const vtkIndirectAreaLamps& lamps, int round, bool caching, int most)
+void vtkIndirectAreaMaps::Update(
+  const vtkIndirectFrame& frame, const vtkIndirectAreaLamps& lamps, int round)
 {
   bool same = round == this->Round && lamps.Get().size() == this->Lamps.size();
   this->Lamps.resize(lamps.Get().size());
@@ -80,21 +68,18 @@ bool vtkIndirectAreaMaps::Update(const vtkIndirectFrame& frame, vtkSurfaceCaptur
       made.Points = lamps.MakePoints(lamp, round);
     }
     const bool moved = made.Window.Update(frame,
-      { lamp.Corner, lamp.Corner + lamp.Edge1, lamp.Corner + lamp.Edge2,
-        lamp.Corner + lamp.Edge1 + lamp.Edge2 });
+      { lamp.Corner, lamp.GetPlace({ 1.0, 0.0 }), lamp.GetPlace({ 0.0, 1.0 }),
+        lamp.GetPlace({ 1.0, 1.0 }) });
     same = same && sameLamp && !moved;
   }
   this->Round = round;
   if (!same)
   {
-    this->MakeEmitters(lamps);
-    ++this->ContentTime;
+    this->MakeMaps(lamps);
   }
-  const size_t before = this->Atlas.GetNumberOfTilesDrawn();
-  const bool updated =
-    this->Atlas.Update(frame, capture, this->Emitters, GetTexels(lamps), caching, most);
-  this->ContentTime += this->Atlas.GetNumberOfTilesDrawn() - before;
-  return updated;
+  const size_t most = 1u * MostTexels * MostTexels / (TexelsOfFew * TexelsOfFew);
+  this->DepthMaps.Request(
+    this->Client, frame, this->Maps, this->Maps.size() <= most ? TexelsOfFew : TexelsOfMany);
 }
 
 //------------------------------------------------------------------------------
@@ -141,8 +126,8 @@ glm::dvec4 vtkIndirectAreaMaps::GetRange(size_t lamp, size_t side) const
 //------------------------------------------------------------------------------
 void vtkIndirectAreaMaps::Release(vtkWindow* window)
 {
-  this->Atlas.Release(window);
+  this->DepthMaps.Release(this->Client, window);
   this->Lamps.clear();
-  this->Emitters.clear();
+  this->Maps.clear();
   this->Round = -1;
 }

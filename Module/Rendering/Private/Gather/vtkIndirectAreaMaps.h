@@ -6,30 +6,27 @@
 
 #include "Gather/vtkIndirectAreaLamps.h"        // for points
 #include "Visibility/vtkIndirectCasterWindow.h" // for members
-#include "Visibility/vtkIndirectDepthAtlas.h"   // for a member
+#include "Visibility/vtkIndirectDepthMaps.h"    // for depth maps
 
 #include <vector> // for lists
 
-class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 
 class vtkIndirectAreaMaps
 {
 public:
-  /** Returns the wanted number of texels along an edge of a map. */
-  static int GetTexels(const vtkIndirectAreaLamps& lamps);
+  vtkIndirectAreaMaps(vtkIndirectDepthMaps& maps, vtkIndirectDepthMaps::ClientType client)
+    : DepthMaps(maps)
+    , Client(client)
+    , Atlas(maps.Get(client))
+  {
+  }
 
-  /**
-   * Brings maps of one round of the lamps' points up to date, and draws at most `most` maps.
-   * Returns false, after an error, when OpenGL refuses.
-   */
-  bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    const vtkIndirectAreaLamps& lamps, int round, bool caching, int most);
+  /** Asks for the maps of one round of the lamps' points. */
+  void Update(const vtkIndirectFrame& frame, const vtkIndirectAreaLamps& lamps, int round);
 
-  /** Grows when a map or a point's weight changes. */
-  size_t GetContentTime() const { return this->ContentTime; }
   /** Returns true if all maps are present and up to date. */
-  bool IsComplete() const { return this->Atlas.GetNumberOfStaleTiles() == 0; }
+  bool IsComplete() const { return this->Atlas.GetNumberOfTilesLeft() == 0; }
 
   const std::vector<vtkIndirectAreaLamps::Point>& GetPoints(size_t lamp) const
   {
@@ -67,13 +64,14 @@ private:
     vtkIndirectDepthTile Views[2]; // view of each side, for strips and depths
   };
 
-  void MakeEmitters(const vtkIndirectAreaLamps& lamps);
+  void MakeMaps(const vtkIndirectAreaLamps& lamps);
 
+  vtkIndirectDepthMaps& DepthMaps;
+  const vtkIndirectDepthMaps::ClientType Client;
+  const vtkIndirectDepthAtlas& Atlas;
   std::vector<Made> Lamps;
   int Round = -1;
-  std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
-  vtkIndirectDepthAtlas Atlas{ true };
-  size_t ContentTime = 0;
+  std::vector<vtkIndirectDepthMaps::Map> Maps;
 };
 
 #endif

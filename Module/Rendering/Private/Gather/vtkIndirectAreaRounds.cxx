@@ -24,8 +24,9 @@ const vtkIndirectChannel SumChannels[] = {
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaRounds::vtkIndirectAreaRounds()
-  : Block(1, vtkIndirectAreaLamps::MostPoints)
+vtkIndirectAreaRounds::vtkIndirectAreaRounds(vtkIndirectDepthMaps& maps)
+  : Maps(maps, vtkIndirectDepthMaps::AREA_ROUNDS)
+  , Block(1, vtkIndirectAreaLamps::MostPoints)
   , Open(OpenChannels, false)
   , Sums(SumChannels, false)
 {
@@ -83,13 +84,8 @@ bool vtkIndirectAreaRounds::Begin(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAreaRounds::Continue(const Input& input, int most)
+bool vtkIndirectAreaRounds::Continue(const Input& input)
 {
-  if (!this->Maps.Update(
-        input.Frame, input.Capture, input.Lamps, this->Rounds, input.Caching, most))
-  {
-    return false;
-  }
   if (!this->Maps.IsComplete())
   {
     return true;
@@ -124,8 +120,7 @@ bool vtkIndirectAreaRounds::Multiply(const vtkIndirectFrame& frame, vtkIndirectT
 //------------------------------------------------------------------------------
 size_t vtkIndirectAreaRounds::GetBytes() const
 {
-  return this->Open.GetBytes() + this->Sums.GetBytes() + this->Block.GetBytes() +
-    this->Maps.GetAtlas().GetBytes();
+  return this->Open.GetBytes() + this->Sums.GetBytes() + this->Block.GetBytes();
 }
 
 //------------------------------------------------------------------------------

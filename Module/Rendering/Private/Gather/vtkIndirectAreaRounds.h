@@ -11,23 +11,20 @@
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 
 class vtkIndirectGeometryBuffer;
-class vtkSurfaceCapturePass;
 class vtkWindow;
 struct vtkIndirectFrame;
 
 class vtkIndirectAreaRounds
 {
 public:
-  vtkIndirectAreaRounds();
+  explicit vtkIndirectAreaRounds(vtkIndirectDepthMaps& maps);
 
   struct Input
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    vtkSurfaceCapturePass* Capture;
     const vtkIndirectAreaLamps& Lamps;
     const vtkIndirectAreaMaps& First; // maps of the first round
-    bool Caching;
   };
 
   /**
@@ -39,10 +36,13 @@ public:
 
   /** Sums the first round. Returns false, after an error. */
   bool Begin(const Input& input);
-  /**
-   * Draws at most `most` maps of the next round, and sums the round when all its maps are present.
-   */
-  bool Continue(const Input& input, int most);
+  /** Asks for the maps of the next round. */
+  void RequestNext(const vtkIndirectFrame& frame, const vtkIndirectAreaLamps& lamps)
+  {
+    this->Maps.Update(frame, lamps, this->Rounds);
+  }
+  /** Sums that round when all its maps are present. */
+  bool Continue(const Input& input);
   /** Multiplies the unoccluded irradiance by the visible share, in a vtkIndirectFullScreenState. */
   bool Multiply(const vtkIndirectFrame& frame, vtkIndirectTarget& irradiance);
 
@@ -50,7 +50,6 @@ public:
   int GetNumberOfRounds() const { return this->Rounds; }
   bool IsFinished() const { return this->Rounds >= vtkIndirectAreaLamps::NumberOfRounds; }
 
-  size_t GetNumberOfTilesDrawn() const { return this->Maps.GetAtlas().GetNumberOfTilesDrawn(); }
   size_t GetBytes() const;
   void Release(vtkWindow* window);
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 #include <iterator>
 
 namespace
@@ -23,11 +24,6 @@ constexpr int LeastLattice = 256;
 // receiver's horizon cuts counts by the visibility of its middle: an open plane gets less from a
 // uniform sky by a third of the square of the piece's half width, 0.0003.
 constexpr int Pieces = 64;
-
-glm::dvec3 ToVector(const double v[3])
-{
-  return { v[0], v[1], v[2] };
-}
 
 double Sum(const glm::dvec3& light)
 {
@@ -111,13 +107,13 @@ void vtkIndirectSkyDirections::FindLight(
   double rest = 0.0;
   for (size_t i = 0; i < cells.size(); ++i)
   {
-    const double sent = Sum(ToVector(cells[i].Light));
+    const double sent = Sum(glm::make_vec3(cells[i].Light));
     if (Sum(light[nearest[i]]) > StrongShare * total)
     {
       continue;
     }
-    const glm::dvec3 d = ToVector(cells[i].Direction);
-    this->Cells.push_back({ d, ToVector(cells[i].Light), 0, -2.0 });
+    const glm::dvec3 d = glm::make_vec3(cells[i].Direction);
+    this->Cells.push_back({ d, glm::make_vec3(cells[i].Light), 0, -2.0 });
     rest += sent;
     const vec2 place = vtkiOctahedralEncode(vec3(d));
     auto find = [](float p)

@@ -55,11 +55,15 @@ constexpr int StrongTexels = 1024;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSkyGather::vtkIndirectSkyGather()
-  : Irradiance(Channels, false)
+vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectDepthMaps& maps)
+  : DepthMaps(maps)
+  , Irradiance(Channels, false)
   , Sums{ { StillChannels, false }, { SumChannels, false } }
   , Rows(SumChannels, false)
   , OpenSky(OpenChannels, false)
+  , Groups{ { {}, {}, StrongTexels, vtkIndirectDepthMaps::STRONG_SKY,
+              maps.Get(vtkIndirectDepthMaps::STRONG_SKY) },
+    { {}, {}, 0, vtkIndirectDepthMaps::SKY, maps.Get(vtkIndirectDepthMaps::SKY) } }
 {
 }
 
@@ -89,7 +93,7 @@ void vtkIndirectSkyGather::UpdateDirections(const Input& input)
     if (group.Directions != directions[i])
     {
       group.Directions = std::move(directions[i]);
-      group.Emitters.clear();
+      group.Maps.clear();
     }
   }
 }
@@ -103,25 +107,25 @@ void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
   this->FitKey = std::move(key);
   for (Group& group : this->Groups)
   {
-    if (fits && group.Emitters.size() == group.Directions.size())
+    if (fits && group.Maps.size() == group.Directions.size())
     {
       continue;
     }
-    group.Emitters.resize(group.Directions.size());
+    group.Maps.resize(group.Directions.size());
     for (size_t k = 0; k < group.Directions.size(); ++k)
     {
-      group.Emitters[k].Tile = vtkIndirectDepthTile::FromDirection(frame, group.Directions[k]);
-      group.Emitters[k].Turn = k;
+      group.Maps[k].Tile = vtkIndirectDepthTile::FromDirection(frame, group.Directions[k]);
+      group.Maps[k].Turn = k;
     }
   }
   Group& others = this->Groups[Others];
-  for (vtkIndirectDepthAtlas::Emitter& emitter : others.Emitters)
+  for (vtkIndirectDepthMaps::Map& map : others.Maps)
   {
-    emitter.Sends = false;
+    map.Sends = false;
   }
   for (const Summand& summand : this->Directions.GetOthers())
   {
-    others.Emitters[summand.Number].Sends = true;
+    others.Maps[summand.Number].Sends = true;
   }
 }
 
@@ -158,49 +162,30 @@ void vtkIndirectSkyGather::AppendTo(vtkIndirectKey& key, const Input& input) con
 }
 
 //------------------------------------------------------------------------------
-// A sky may have a few suns besides the directions.
-int vtkIndirectSkyGather::CountMapsNeeded(const Input& input) const
-{
-  return input.Plan.HasSkyMaps() && !this->IsComplete() ? input.Plan.NumberOfSkyDirections + 32 : 0;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectSkyGather::Update(const Input& input, int mostMaps)
+bool vtkIndirectSkyGather::Update(const Input& input)
 {
   input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   const vtkIndirectFrame& frame = input.Frame;
   this->UpdateDirections(input);
   this->Visible = input.Plan.SkyIsShadowed;
   this->FitTiles(frame);
-  this->Groups[Strong].Texels = StrongTexels;
   this->Groups[Others].Texels = input.Plan.SkyTileTexels;
-  const size_t drawn = this->GetNumberOfTilesDrawn();
-  bool done = true;
-  this->NumberOfMissing = this->NumberOfStale = 0;
   for (int i = 0; i < NumberOfGroups; ++i)
   {
-    Group& group = this->Groups[i];
+    const Group& group = this->Groups[i];
     const bool empty =
       (i == Strong ? this->Directions.GetStrong() : this->Directions.GetOthers()).empty();
     if (!this->Visible || empty)
     {
-      group.Atlas.Release(frame.Window);
-      continue;
+      this->DepthMaps.Release(group.Client, frame.Window);
     }
-    // Strong directions, however many, leave half of the time to the others.
-    const int already = static_cast<int>(this->GetNumberOfTilesDrawn() - drawn);
-    const int time = i == Strong && !this->Directions.GetOthers().empty() ? mostMaps - mostMaps / 2
-                                                                          : mostMaps - already;
-    done = done &&
-      group.Atlas.Update(
-        frame, input.Capture, group.Emitters, group.Texels, input.Plan.Caching, time);
-    this->NumberOfMissing += group.Atlas.GetNumberOfMissingTiles();
-    this->NumberOfStale +=
-      group.Atlas.GetNumberOfStaleTiles() - group.Atlas.GetNumberOfMissingTiles();
+    else
+    {
+      this->DepthMaps.Request(group.Client, frame, group.Maps, group.Texels);
+    }
   }
-  this->ChooseSummed();
   input.Timer.End(vtkIndirectStageTimer::Visibility);
-  return done;
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +214,7 @@ std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
     const Term& term = terms[first + k];
     const bool there = group.Atlas.HasTile(term.Tile);
     const vtkIndirectDepthTile& tile =
-      there ? group.Atlas.GetTile(term.Tile) : group.Emitters[term.Tile].Tile;
+      there ? group.Atlas.GetTile(term.Tile) : group.Maps[term.Tile].Tile;
     const double range = tile.Far - tile.Near;
     const glm::dvec2 texel = 2.0 / texels * tile.HalfWidth;
     const double bias = VTKI_TILE_ROUGHNESS * std::max(texel.x, texel.y) / range;
@@ -288,8 +273,11 @@ vtkIndirectEstimate vtkIndirectSkyGather::Sum(const Input& input)
 {
   vtkIndirectEstimate result;
   result.Sky = &this->Irradiance;
+  const bool still = input.Still && input.Plan.Caching &&
+    !this->Groups[Strong].Atlas.HasChanged() && !this->Groups[Others].Atlas.HasChanged();
+  this->ChooseSummed();
   input.Timer.Begin(vtkIndirectStageTimer::Sky);
-  const bool summed = (input.Still && input.Plan.Caching) || this->SumAll(input);
+  const bool summed = still || this->SumAll(input);
   input.Timer.End(vtkIndirectStageTimer::Sky);
   result.State = summed ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::FAILED;
   return result;
@@ -511,17 +499,6 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSkyGather::GetNumberOfTilesDrawn() const
-{
-  size_t drawn = 0;
-  for (const Group& group : this->Groups)
-  {
-    drawn += group.Atlas.GetNumberOfTilesDrawn();
-  }
-  return drawn;
-}
-
-//------------------------------------------------------------------------------
 size_t vtkIndirectSkyGather::GetBytes() const
 {
   size_t bytes = this->Block.GetBytes();
@@ -529,10 +506,6 @@ size_t vtkIndirectSkyGather::GetBytes() const
     { &this->Irradiance, &this->Sums[0], &this->Sums[1], &this->Rows, &this->OpenSky })
   {
     bytes += target->GetBytes();
-  }
-  for (const Group& group : this->Groups)
-  {
-    bytes += group.Atlas.GetBytes();
   }
   return bytes;
 }
@@ -542,18 +515,6 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report, const vtkIndir
 {
   const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
     this->Directions.GetOthers().size() };
-  if (this->NumberOfMissing > 0)
-  {
-    report.LeftOut.emplace_back(
-      "depth maps of " + std::to_string(this->NumberOfMissing) + " directions of the sky",
-      "further frames draw them; until then others stand for them");
-  }
-  if (this->NumberOfStale > 0)
-  {
-    report.LeftOut.emplace_back(
-      "what has just moved, in " + std::to_string(this->NumberOfStale) + " depth maps of the sky",
-      "further frames draw them again");
-  }
   std::string maps;
   for (int i = 0; i < NumberOfGroups; ++i)
   {
@@ -580,12 +541,10 @@ void vtkIndirectSkyGather::Release(vtkWindow* window)
     target->Release(window);
   }
   this->OpenSkyIsThere = false;
-  this->NumberOfMissing = 1;
-  this->NumberOfStale = 0;
   this->Block.Release();
-  for (Group& group : this->Groups)
+  for (const Group& group : this->Groups)
   {
-    group.Atlas.Release(window);
+    this->DepthMaps.Release(group.Client, window);
   }
   for (int i = 0; i < 2; ++i)
   {

@@ -27,7 +27,7 @@
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
 #include "OpenGL/vtkIndirectUniformBlock.h"      // for a member
-#include "Visibility/vtkIndirectDepthAtlas.h"    // for a member
+#include "Visibility/vtkIndirectDepthMaps.h"     // for depth maps
 
 #include <glm/glm.hpp> // for blocks
 #include <string>      // for definitions
@@ -39,18 +39,20 @@ struct vtkIndirectFrame;
 class vtkIndirectSkyGather : public vtkIndirectFrameLight
 {
 public:
-  vtkIndirectSkyGather();
+  explicit vtkIndirectSkyGather(vtkIndirectDepthMaps& maps);
 
   const char* GetName() const override { return "light from the sky"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
-  int CountMapsNeeded(const Input& input) const override;
   /**
-   * Draws the maps of strong directions first, then those of the other directions in an order that
+   * Asks for maps of strong directions, and for those of the other directions in an order that
    * spreads any number of them over the sky. The directions that have maps represent the whole sky.
    */
-  bool Update(const Input& input, int mostMaps) override;
-  size_t GetNumberOfTilesDrawn() const override;
-  int GetNumberOfTilesLeft() const override { return this->NumberOfMissing + this->NumberOfStale; }
+  bool Update(const Input& input) override;
+  int GetNumberOfTilesLeft() const override
+  {
+    return this->Groups[Strong].Atlas.GetNumberOfTilesLeft() +
+      this->Groups[Others].Atlas.GetNumberOfTilesLeft();
+  }
   vtkIndirectEstimate Sum(const Input& input) override;
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
   void Release(vtkWindow* window) override;
@@ -64,9 +66,10 @@ private:
   struct Group
   {
     std::vector<glm::dvec3> Directions; // directions with a place in the atlas
-    std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
-    int Texels = 0;
-    vtkIndirectDepthAtlas Atlas;
+    std::vector<vtkIndirectDepthMaps::Map> Maps;
+    int Texels;
+    vtkIndirectDepthMaps::ClientType Client;
+    const vtkIndirectDepthAtlas& Atlas; // maps as they were drawn
   };
   // A direction that is summed: its place in its group's atlas, and its light.
   struct Term
@@ -94,6 +97,7 @@ private:
   bool FilterColumns(const Input& input);
   bool SumStrong(const Input& input);
 
+  vtkIndirectDepthMaps& DepthMaps;
   vtkIndirectTarget Irradiance;
   vtkIndirectTarget Sums[2]; // sums of pixels' own directions; of still and moving frames
   vtkIndirectTarget Rows;    // sums over neighbours in the row
@@ -122,9 +126,6 @@ private:
   glm::vec3 OpenFlux{ 0.0f };
   glm::vec3 SummedFlux{ 0.0f };
   bool Visible = false;
-  // Maps that further frames draw: missing ones, and stale ones, which show an earlier scene.
-  int NumberOfMissing = 1;
-  int NumberOfStale = 0;
   int Step = 1; // edge, in the last frame, of the blocks of pixels that share directions
 };
 

@@ -6,7 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "vtkAreaLight.h"
+#include "VirtualLights/vtkIndirectRectangle.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
@@ -14,11 +14,6 @@
 
 namespace
 {
-glm::dvec3 ToVector(const double v[3])
-{
-  return { v[0], v[1], v[2] };
-}
-
 bool IsSeen(vtkAreaLight* light)
 {
   int columns;
@@ -27,32 +22,13 @@ bool IsSeen(vtkAreaLight* light)
     !light->GetRadiances(columns, rows).empty();
 }
 
-struct Place
-{
-  glm::dvec3 Corner; // world
-  glm::dvec3 Edge1;
-  glm::dvec3 Edge2;
-
-  explicit Place(vtkAreaLight* light)
-    : Corner(ToVector(light->GetOrigin()))
-    , Edge1(ToVector(light->GetPoint1()) - this->Corner)
-    , Edge2(ToVector(light->GetPoint2()) - this->Corner)
-  {
-  }
-  glm::dvec3 GetCorner(int number) const
-  {
-    return this->Corner + ((number & 1) ? this->Edge1 : glm::dvec3(0.0)) +
-      ((number & 2) ? this->Edge2 : glm::dvec3(0.0));
-  }
-};
-
 // Returns true if the eye is on a side that sends light.
-bool IsFacing(const vtkIndirectFrame& frame, vtkAreaLight* light, const glm::dvec3& normal)
+bool IsFacing(const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp)
 {
   const glm::dmat4 toWorld = glm::inverse(frame.WorldToView);
   const glm::dvec3 toEye =
-    frame.Parallel ? glm::dvec3(toWorld[2]) : glm::dvec3(toWorld[3]) - Place(light).GetCorner(0);
-  return light->GetTwoSided() || glm::dot(normal, toEye) > 0.0;
+    frame.Parallel ? glm::dvec3(toWorld[2]) : glm::dvec3(toWorld[3]) - lamp.Corner;
+  return lamp.TwoSided || glm::dot(lamp.Normal, toEye) > 0.0;
 }
 
 // During the object's lifetime surfaces are not clipped at the near and far planes, and are drawn
@@ -124,9 +100,8 @@ vtkTextureObject* vtkIndirectVisibleLamps::FindPicture(
 bool vtkIndirectVisibleLamps::DrawLamp(
   const vtkIndirectFrame& frame, vtkAreaLight* light, const vtkIndirectGeometryBuffer& geometry)
 {
-  double normal[3];
-  light->GetNormal(normal);
-  if (!IsFacing(frame, light, ToVector(normal)))
+  const vtkIndirectRectangle place(light);
+  if (!IsFacing(frame, place))
   {
     return true;
   }
@@ -140,19 +115,19 @@ bool vtkIndirectVisibleLamps::DrawLamp(
   {
     return false;
   }
-  const Place place(light);
   float corners[4][4];
   glm::vec4 depths;
   for (int i = 0; i < 4; ++i)
   {
-    const glm::dvec4 inView = frame.WorldToView * glm::dvec4(place.GetCorner(i), 1.0);
+    const glm::dvec4 inView =
+      frame.WorldToView * glm::dvec4(place.GetPlace({ i & 1, i >> 1 }), 1.0);
     const glm::vec4 inClip(frame.Projection * inView);
     std::copy(&inClip.x, &inClip.x + 4, corners[i]);
     depths[i] = static_cast<float>(-inView.z * frame.SceneScale);
   }
   program->SetUniform4fv("vtkiLampCorner", 4, corners);
   program->SetUniform4f("vtkiLampDepth", &depths.x);
-  const glm::dvec3 inView = glm::dmat3(frame.WorldToView) * ToVector(normal);
+  const glm::dvec3 inView = glm::dmat3(frame.WorldToView) * place.Normal;
   vtkIndirectSetUniform(program, "vtkiLampNormal", glm::vec3(glm::normalize(inView)));
   if (picture)
   {
@@ -161,9 +136,9 @@ bool vtkIndirectVisibleLamps::DrawLamp(
   }
   else
   {
-    double radiance[3];
-    light->GetMeanRadiance(radiance);
-    vtkIndirectSetUniform(program, "vtkiLampRadiance", glm::vec3(ToVector(radiance)));
+    glm::dvec3 radiance;
+    light->GetMeanRadiance(&radiance[0]);
+    vtkIndirectSetUniform(program, "vtkiLampRadiance", glm::vec3(radiance));
   }
   kernel.DrawRectangle();
   if (picture)
@@ -192,8 +167,7 @@ bool vtkIndirectVisibleLamps::Draw(
   // Lamps are drawn from back to front: beyond the far plane depth cannot order them.
   auto depth = [&](const vtkSmartPointer<vtkAreaLight>& light)
   {
-    const Place place(light);
-    const glm::dvec3 middle = place.Corner + 0.5 * (place.Edge1 + place.Edge2);
+    const glm::dvec3 middle = vtkIndirectRectangle(light).GetPlace(glm::dvec2(0.5));
     return (frame.WorldToView * glm::dvec4(middle, 1.0)).z;
   };
   std::stable_sort(

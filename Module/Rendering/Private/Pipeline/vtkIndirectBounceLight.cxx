@@ -10,8 +10,10 @@
 #include "Pipeline/vtkIndirectFrameSamplers.h"
 
 //------------------------------------------------------------------------------
-vtkIndirectBounceLight::vtkIndirectBounceLight(vtkIndirectFrameSamplers& samplers)
+vtkIndirectBounceLight::vtkIndirectBounceLight(
+  vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps)
   : Samplers(samplers)
+  , Visibility(maps)
 {
 }
 
@@ -68,35 +70,33 @@ const vtkIndirectBlockingSpheres* vtkIndirectBounceLight::UpdateSurfaces(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectBounceLight::Update(const Input& input, int mostMaps)
+bool vtkIndirectBounceLight::Update(const Input& input)
 {
   const vtkIndirectVisibilityNeeds needs = this->GetSum().GetVisibilityNeeds(input.Plan);
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const vtkIndirectBlockingSpheres* const spheres = this->UpdateSurfaces(input, needs);
   const bool sampled =
     this->Samplers.Update(input.Frame, input.Plan, input.Maps, input.Geometry, this->Surfaces);
-  input.Timer.End(vtkIndirectStageTimer::Lights);
-
-  const bool timed = needs.IsAny();
-  if (timed)
+  // With depth maps the visibility only reads the lights and asks for their maps.
+  const bool walks = needs.IsAny() && !needs.Maps;
+  if (walks)
   {
+    input.Timer.End(vtkIndirectStageTimer::Lights);
     input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   }
-  const bool visible =
-    this->Visibility.Update({ input.Frame, this->Samplers.GetLights(), input.Capture,
-                              input.Plan.Caching, mostMaps, this->Surfaces, spheres },
-      needs);
-  if (timed)
-  {
-    input.Timer.End(vtkIndirectStageTimer::Visibility);
-  }
-  return sampled && visible;
+  this->Visibility.Update(
+    { input.Frame, this->Samplers.GetLights(), input.Plan.Caching, this->Surfaces, spheres },
+    needs);
+  input.Timer.End(walks ? vtkIndirectStageTimer::Visibility : vtkIndirectStageTimer::Lights);
+  return sampled;
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectEstimate vtkIndirectBounceLight::Sum(const Input& input)
 {
+  this->Visibility.UpdateSharing(input.Frame);
   Input own = input;
+  own.Still = input.Still && !this->Visibility.GetMaps().HasChanged();
   own.Lights = this->Samplers.GetLights();
   return this->vtkIndirectEstimatorLight::Sum(own);
 }
@@ -104,7 +104,7 @@ vtkIndirectEstimate vtkIndirectBounceLight::Sum(const Input& input)
 //------------------------------------------------------------------------------
 void vtkIndirectBounceLight::Rest(const Input& input)
 {
-  this->Visibility.Update({ input.Frame, nullptr, input.Capture, false, 0, this->Surfaces }, {});
+  this->Visibility.Update({ input.Frame, nullptr, false, this->Surfaces }, {});
   this->Surfaces.Clear();
 }
 

@@ -15,18 +15,18 @@ class vtkVirtualLightSampler;
 class vtkIndirectBounceLight : public vtkIndirectEstimatorLight
 {
 public:
-  explicit vtkIndirectBounceLight(vtkIndirectFrameSamplers& samplers);
+  vtkIndirectBounceLight(vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps);
 
   /** Sets the estimator, and the user's sampler, whose changes make lights stale. */
   void SetEstimator(vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users);
 
   const char* GetName() const override { return "indirect light"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
-  /** This is the first light of a frame, so no earlier light leaves maps to it. */
-  int CountMapsNeeded(const Input&) const override { return 0; }
-  bool Update(const Input& input, int mostMaps) override;
-  size_t GetNumberOfTilesDrawn() const override { return this->Visibility.GetNumberOfTilesDrawn(); }
-  int GetNumberOfTilesLeft() const override { return this->Visibility.GetNumberOfTilesLeft(); }
+  bool Update(const Input& input) override;
+  int GetNumberOfTilesLeft() const override
+  {
+    return this->Visibility.GetMaps().GetNumberOfTilesLeft();
+  }
   bool HasMore(const Input& input) const override;
   vtkIndirectEstimate Sum(const Input& input) override;
   /** Releases depth maps, voxels and surfaces. */

@@ -14,10 +14,7 @@ public:
 
   const char* GetName() const override { return "light from the sky"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
-  int CountMapsNeeded(const Input&) const override { return 0; }
-  bool Update(const Input&, int) override { return true; }
-  size_t GetNumberOfTilesDrawn() const override { return 0; }
-  int GetNumberOfTilesLeft() const override { return 0; }
+  bool Update(const Input&) override { return true; }
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
   void Release(vtkWindow*) override { this->Estimator = nullptr; }
 

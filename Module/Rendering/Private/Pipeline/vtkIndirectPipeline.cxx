@@ -46,7 +46,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->BuffersAreThere = false;
   for (Part& part : this->Parts)
   {
-    part.IsThere = part.Waits = part.IsAsked = false;
+    part.IsThere = part.Waits = part.IsAsked = part.IsNew = false;
   }
   this->Estimator = request.Estimator;
   this->HeldEstimator = request.HoldEstimator ? request.Estimator : nullptr;
@@ -139,9 +139,10 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   }
   if (!this->Plan.Shadows)
   {
-    this->Penumbra.Clear(this->Frame);
+    this->Penumbra.Release(this->Frame.Window);
   }
   this->Paths = vtkIndirectPaths::GetAll();
+  this->DepthMaps.Begin(this->Frame, request.Settings.Caching);
   this->Capture->SetDelegatePass(request.Delegate);
   this->Capture->SetShadows(this->Plan.Shadows);
   this->Capture->SetSpecular(this->Plan.SurfacesAreSpecular || this->Plan.SenderLobes);
@@ -162,8 +163,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
       this->Maps.Update(this->Frame, this->Plan, this->Capture, this->MapsPass->GetResolution());
     if (drawn && this->Plan.Shadows)
     {
-      drawn =
-        this->Penumbra.Update(this->Frame, this->Maps, this->Capture, request.Settings.Caching);
+      drawn = this->Penumbra.Update(this->Frame, this->Maps, this->Capture);
     }
     this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   }
@@ -239,28 +239,31 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
   this->ChooseLights(request);
   const vtkIndirectFrameLight::Input input = { this->Frame, this->Plan, this->Geometry, this->Maps,
     nullptr, this->Bounce.GetVisibility(), false, this->Timer, this->Environment,
-    &this->SkyProjection, &this->UsableAreaLights, this->Capture };
-  int mapsLeft = this->Plan.TilesPerFrame;
-  for (int i = 0; i < NUMBER_OF_PARTS; ++i)
+    &this->SkyProjection, &this->UsableAreaLights };
+  for (Part& part : this->Parts)
   {
-    Part& part = this->Parts[i];
-    if (!part.IsAsked)
+    if (part.IsAsked)
+    {
+      this->UpdatePart(part, input);
+    }
+    else
     {
       part.Light->Rest(input);
-      continue;
     }
-    // Lights that follow get at most half of the frame's depth maps.
-    int others = 0;
-    for (int k = i + 1; k < NUMBER_OF_PARTS; ++k)
+  }
+  bool drawn = true;
+  if (this->DepthMaps.HasRequests())
+  {
+    this->Timer.Begin(vtkIndirectStageTimer::Visibility);
+    drawn = this->DepthMaps.Draw(this->Frame, this->Capture, this->Plan.TilesPerFrame);
+    this->Timer.End(vtkIndirectStageTimer::Visibility);
+  }
+  for (Part& part : this->Parts)
+  {
+    if (part.IsNew)
     {
-      const int most = mapsLeft - others;
-      others +=
-        this->Parts[k].IsAsked ? std::min(this->Parts[k].Light->CountMapsNeeded(input), most) : 0;
+      this->SumPart(part, input, drawn);
     }
-    const size_t drawn = part.Light->GetNumberOfTilesDrawn();
-    part.IsThere = this->UpdatePart(part, input, mapsLeft - std::min(others, mapsLeft / 2));
-    mapsLeft -= static_cast<int>(part.Light->GetNumberOfTilesDrawn() - drawn);
-    mapsLeft = std::max(mapsLeft, 0);
   }
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());
@@ -322,46 +325,53 @@ vtkIndirectKey vtkIndirectPipeline::MakeFrameKey() const
 }
 
 //------------------------------------------------------------------------------
-// Returns true if the part has a result of this frame.
-bool vtkIndirectPipeline::UpdatePart(
-  Part& part, const vtkIndirectFrameLight::Input& input, int mostMaps)
+// Lets the light ask for its depth maps, unless its last result holds.
+void vtkIndirectPipeline::UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input)
 {
   vtkIndirectFrameLight& light = *part.Light;
   vtkIndirectKey key = this->FrameKey;
   light.AppendTo(key, input);
-  const bool more = light.HasMore(input);
-  const bool same = this->Plan.Caching && key == part.Key;
-  if (same && !more && part.Result.State == vtkIndirectEstimate::CONVERGED && light.IsComplete())
+  part.IsStill = key == part.Key && !light.HasMore(input);
+  part.IsThere = part.IsStill && this->Plan.Caching &&
+    part.Result.State == vtkIndirectEstimate::CONVERGED && light.IsComplete();
+  part.IsNew = !part.IsThere && key != part.Failed;
+  if (part.IsThere)
   {
-    return true;
+    return;
   }
-  const bool still = key == part.Key && !more;
   part.Key.Clear();
-  if (key == part.Failed)
+  if (part.IsNew)
   {
-    return false;
+    part.Failed = std::move(key); // until the result is there
+    vtkIndirectFrameLight::Input own = input;
+    own.Still = part.IsStill;
+    part.IsNew = light.Update(own);
   }
-  part.Failed.Clear();
-  const size_t drawn = light.GetNumberOfTilesDrawn();
-  const bool updated = light.Update(input, mostMaps);
-  part.Waits = updated && this->Plan.WaitsForMaps && !light.IsComplete();
+}
+
+//------------------------------------------------------------------------------
+// Computes the light after depth maps have been drawn.
+void vtkIndirectPipeline::SumPart(
+  Part& part, const vtkIndirectFrameLight::Input& input, bool mapsDrawn)
+{
+  part.Waits = mapsDrawn && this->Plan.WaitsForMaps && !part.Light->IsComplete();
   if (part.Waits)
   {
-    return false;
+    part.Failed.Clear();
+    return;
   }
   vtkIndirectFrameLight::Input own = input;
-  own.Still = still && light.GetNumberOfTilesDrawn() == drawn;
-  part.Result = updated ? light.Sum(own) : vtkIndirectEstimate();
-  if (part.Result.State == vtkIndirectEstimate::FAILED)
+  own.Still = part.IsStill;
+  part.Result = mapsDrawn ? part.Light->Sum(own) : vtkIndirectEstimate();
+  part.IsThere = part.Result.State != vtkIndirectEstimate::FAILED;
+  if (part.IsThere)
   {
-    part.Failed = std::move(key);
-    return false;
+    part.Key = std::move(part.Failed);
+    part.Failed.Clear();
+    const bool estimates = part.Light == &this->Bounce ||
+      (part.Light == &this->EstimatorSky && this->GetSkyEstimator() == this->Estimator);
+    this->NumberOfEstimates += estimates ? 1 : 0;
   }
-  part.Key = std::move(key);
-  const bool estimates = part.Light == &this->Bounce ||
-    (part.Light == &this->EstimatorSky && this->GetSkyEstimator() == this->Estimator);
-  this->NumberOfEstimates += estimates ? 1 : 0;
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,7 @@
 #include "Pipeline/vtkIndirectImageLight.h"         // for members
 #include "Pipeline/vtkIndirectSphereMotion.h"       // for a member
 #include "VirtualLights/vtkIndirectSkyProjection.h" // for members
+#include "Visibility/vtkIndirectDepthMaps.h"        // for members
 #include "Visibility/vtkIndirectPenumbra.h"         // for members
 #include "vtkAreaLight.h"                           // for members
 #include "vtkEnvironmentLight.h"                    // for members
@@ -110,11 +111,14 @@ private:
   {
     vtkIndirectFrameLight* Light = nullptr;
     bool IsAsked = false; // the plan needs it
+    bool IsNew = false;   // its result is made in this frame
+    bool IsStill = false; // its inputs are those of the last result
     bool Waits = false;   // it waits for its depth maps
     bool IsThere = false; // Result is of the last frame
     vtkIndirectEstimate Result;
     vtkIndirectKey Key;    // the inputs of Result; empty if there is none
-    vtkIndirectKey Failed; // the inputs of an error: the light is tried again when they change
+    vtkIndirectKey Failed; // the inputs of an attempt without a result: the light is tried again
+                           // when they change
   };
   enum PartType
   {
@@ -126,7 +130,8 @@ private:
 
   vtkIndirectKey MakeFrameKey() const;
   void ChooseLights(const Request& request);
-  bool UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input, int mostMaps);
+  void UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input);
+  void SumPart(Part& part, const vtkIndirectFrameLight::Input& input, bool mapsDrawn);
   const Part* GetPart(PartType type) const;
   vtkIndirectEstimatorPass* GetSkyEstimator() const;
   void AppendAreaLights(vtkIndirectKey& key) const;
@@ -139,15 +144,16 @@ private:
 
   vtkIndirectLightMaps& Maps = vtkIndirectLightMaps::Get(this->MapsPass);
   vtkNew<vtkSurfaceCapturePass> Capture;
-  vtkIndirectPenumbra Penumbra; // penumbrae of the maps' lights
+  vtkIndirectDepthMaps DepthMaps;
+  vtkIndirectPenumbra Penumbra{ DepthMaps }; // penumbrae of the maps' lights
   vtkIndirectGeometryBuffer Geometry;
-  vtkIndirectBounceLight Bounce{ Samplers };
+  vtkIndirectBounceLight Bounce{ Samplers, DepthMaps };
   vtkIndirectSkyProjection SkyProjection;
-  vtkIndirectSkyGather SkyMaps;
+  vtkIndirectSkyGather SkyMaps{ DepthMaps };
   vtkIndirectEstimatorSky EstimatorSky;     // replaces SkyMaps
   vtkNew<vtkProxyAccumulationPass> Spheres; // an estimator for EstimatorSky
   vtkIndirectSphereMotion SphereMotion;
-  vtkIndirectAreaGather Area;
+  vtkIndirectAreaGather Area{ DepthMaps };
   vtkIndirectVisibleLamps VisibleLamps;
   vtkIndirectImageLight ImageLight;
   vtkIndirectComposite Composite;

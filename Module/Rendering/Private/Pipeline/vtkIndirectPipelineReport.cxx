@@ -67,18 +67,13 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     { "voxel_updates", static_cast<long long>(this->Bounce.GetVisibility().GetNumberOfUpdates()) },
     { "sphere_updates",
       static_cast<long long>(this->Bounce.GetVisibility().GetNumberOfSphereUpdates()) },
-    { "sky_tiles_drawn", static_cast<long long>(this->SkyMaps.GetNumberOfTilesDrawn()) },
+    { "sky_tiles_drawn",
+      static_cast<long long>(
+        this->DepthMaps.Get(vtkIndirectDepthMaps::STRONG_SKY).GetNumberOfTilesDrawn() +
+        this->DepthMaps.Get(vtkIndirectDepthMaps::SKY).GetNumberOfTilesDrawn()) },
+    { "tiles_drawn", static_cast<long long>(this->DepthMaps.GetNumberOfTilesDrawn()) },
     { "estimates", this->NumberOfEstimates } };
-  long long& drawn = report.Counters["tiles_drawn"];
   long long& left = report.Counters["tiles_left"];
-  drawn = static_cast<long long>(
-    this->Penumbra.GetNumberOfTilesDrawn() + this->SkyMaps.GetNumberOfTilesDrawn());
-  for (const vtkIndirectFrameLight* light :
-    { static_cast<const vtkIndirectFrameLight*>(&this->Bounce),
-      static_cast<const vtkIndirectFrameLight*>(&this->Area) })
-  {
-    drawn += static_cast<long long>(light->GetNumberOfTilesDrawn());
-  }
   for (const Part& part : this->Parts)
   {
     left += part.IsThere || part.Waits ? part.Light->GetNumberOfTilesLeft() : 0;
@@ -125,6 +120,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
         part.Light->GetName(), part.Waits ? WhyItWaits : "its computation had an error");
     }
   }
+  this->DepthMaps.AddToReport(report);
   this->Levels.AddToReport(report);
   if (this->IsInWindow())
   {

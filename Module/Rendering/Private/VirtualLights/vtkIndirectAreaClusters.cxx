@@ -31,16 +31,16 @@ enum Quantity
 };
 using Sums = std::array<double, NumberOfQuantities>;
 
-// An emitter in cells. Four entries give the sums over any rectangle of entries (summed-area table,
+// An image in cells. Four entries give the sums over any rectangle of entries (summed-area table,
 // Crow 1984).
 class Table
 {
 public:
-  explicit Table(const vtkIndirectAreaClusters::Emitter& emitter)
-    : Emitter(emitter)
-    , Repeat{ (LeastCells + emitter.Columns - 1) / emitter.Columns,
-      (LeastCells + emitter.Rows - 1) / emitter.Rows }
-    , Cells{ emitter.Columns * Repeat[0], emitter.Rows * Repeat[1] }
+  explicit Table(const vtkIndirectAreaClusters::Image& image)
+    : Image(image)
+    , Repeat{ (LeastCells + image.Columns - 1) / image.Columns,
+      (LeastCells + image.Rows - 1) / image.Rows }
+    , Cells{ image.Columns * Repeat[0], image.Rows * Repeat[1] }
     , Size{ std::min(Cells[0], MostEntries), std::min(Cells[1], MostEntries) }
     , Entries(static_cast<size_t>(Size[0] + 1) * (Size[1] + 1), Sums{})
   {
@@ -88,7 +88,7 @@ public:
     return sums;
   }
 
-  vtkIndirectAreaClusters::Emitter Emitter;
+  vtkIndirectAreaClusters::Image Image;
   int Repeat[2]; // cells of a pixel
   int Cells[2];
   int Size[2]; // in entries
@@ -105,8 +105,8 @@ private:
   void Add(Sums& sums, int x, int y) const
   {
     const size_t pixel =
-      static_cast<size_t>(y / this->Repeat[1]) * this->Emitter.Columns + x / this->Repeat[0];
-    const float* const radiance = this->Emitter.Radiances + 3 * pixel;
+      static_cast<size_t>(y / this->Repeat[1]) * this->Image.Columns + x / this->Repeat[0];
+    const float* const radiance = this->Image.Radiances + 3 * pixel;
     const double light = double(radiance[0]) + radiance[1] + radiance[2];
     const double u = this->GetPlace(x, 0);
     const double v = this->GetPlace(y, 1);
@@ -138,7 +138,7 @@ struct Piece
     , Upper{ upper[0], upper[1] }
     , Sum(whole.Sum(lower, upper))
   {
-    const vtkIndirectAreaClusters::Emitter& emitter = whole.Emitter;
+    const vtkIndirectAreaClusters::Image& image = whole.Image;
     const double light = this->Sum[Strength];
     if (!(light > 0.0))
     {
@@ -149,12 +149,10 @@ struct Piece
     this->Mean = glm::dvec2(this->Sum[StrengthX], this->Sum[StrengthY]) / light;
     const glm::dvec2 square = glm::dvec2(this->Sum[StrengthXX], this->Sum[StrengthYY]) / light;
     const glm::dvec2 cell(1.0 / whole.Cells[0], 1.0 / whole.Cells[1]);
-    const glm::dvec2 edges(
-      glm::dot(emitter.Edge1, emitter.Edge1), glm::dot(emitter.Edge2, emitter.Edge2));
+    const glm::dvec2 edges(glm::dot(image.Edge1, image.Edge1), glm::dot(image.Edge2, image.Edge2));
     this->Spread =
       edges * (glm::max(square - this->Mean * this->Mean, glm::dvec2(0.0)) + cell * cell / 12.0);
-    const double area = glm::length(glm::cross(emitter.Edge1, emitter.Edge2));
-    this->Width = light * cell.x * cell.y * area * (this->Spread.x + this->Spread.y);
+    this->Width = light * cell.x * cell.y * image.GetArea() * (this->Spread.x + this->Spread.y);
     this->Axis = this->Spread.x >= this->Spread.y ? 0 : 1;
     this->Axis = upper[this->Axis] - lower[this->Axis] > 1 ? this->Axis : 1 - this->Axis;
     this->Axis = upper[this->Axis] - lower[this->Axis] > 1 ? this->Axis : -1;
@@ -170,13 +168,12 @@ struct Piece
 
   vtkIndirectAreaClusters::Light MakeLight() const
   {
-    const vtkIndirectAreaClusters::Emitter& emitter = this->Whole->Emitter;
-    const glm::dvec3 span = glm::cross(emitter.Edge1, emitter.Edge2);
+    const vtkIndirectAreaClusters::Image& image = this->Whole->Image;
+    const glm::dvec3 span = glm::cross(image.Edge1, image.Edge2);
     const double cell =
       glm::length(span) / (static_cast<double>(this->Whole->Cells[0]) * this->Whole->Cells[1]);
     vtkIndirectAreaClusters::Light light;
-    light.Position =
-      emitter.Origin + (this->Mean.x + 0.5) * emitter.Edge1 + (this->Mean.y + 0.5) * emitter.Edge2;
+    light.Position = image.GetPlace(this->Mean + 0.5);
     light.Normal = glm::normalize(span);
     light.RadianceArea = cell * glm::dvec3(this->Sum[Red], this->Sum[Green], this->Sum[Blue]);
     light.Area = cell * this->Sum[Strength] * this->Sum[Strength] / this->Sum[StrengthSquared];
@@ -196,15 +193,15 @@ struct Narrower
 
 //------------------------------------------------------------------------------
 std::vector<vtkIndirectAreaClusters::Light> vtkIndirectAreaClusters::MakeLights(
-  const std::vector<Emitter>& emitters, int count)
+  const std::vector<Image>& images, int count)
 {
   std::vector<Table> tables;
-  tables.reserve(emitters.size());
+  tables.reserve(images.size());
   std::vector<Piece> pieces;
   std::priority_queue<std::pair<double, size_t>, std::vector<std::pair<double, size_t>>, Narrower>
     queue;
   int lights = 0;
-  auto sides = [](const Piece& piece) { return piece.Whole->Emitter.TwoSided ? 2 : 1; };
+  auto sides = [](const Piece& piece) { return piece.Whole->Image.TwoSided ? 2 : 1; };
   auto add = [&](const Piece& piece)
   {
     if (!(piece.Sum[Strength] > 0.0))
@@ -218,13 +215,13 @@ std::vector<vtkIndirectAreaClusters::Light> vtkIndirectAreaClusters::MakeLights(
     }
     pieces.push_back(piece);
   };
-  for (const Emitter& emitter : emitters)
+  for (const Image& image : images)
   {
-    if (!(glm::length(glm::cross(emitter.Edge1, emitter.Edge2)) > 0.0))
+    if (!(image.GetArea() > 0.0))
     {
       continue;
     }
-    tables.emplace_back(emitter);
+    tables.emplace_back(image);
     const int lower[2] = { 0, 0 };
     add(Piece(tables.back(), lower, tables.back().Size));
   }
@@ -263,7 +260,7 @@ std::vector<vtkIndirectAreaClusters::Light> vtkIndirectAreaClusters::MakeLights(
   for (const Piece& piece : pieces)
   {
     result.push_back(piece.MakeLight());
-    if (piece.Whole->Emitter.TwoSided)
+    if (piece.Whole->Image.TwoSided)
     {
       result.push_back(result.back());
       result.back().Normal = -result.back().Normal;

@@ -10,7 +10,7 @@
 #ifndef vtkIndirectAreaClusters_h
 #define vtkIndirectAreaClusters_h
 
-#include <glm/glm.hpp> // for vectors
+#include "VirtualLights/vtkIndirectRectangle.h" // for places
 
 #include <cstddef> // for size_t
 #include <vector>  // for lists
@@ -18,16 +18,13 @@
 class vtkIndirectAreaClusters
 {
 public:
-  /** A rectangle, or a parallelogram, of pixels of equal size. */
-  struct Emitter
+  /** A rectangle of pixels of equal size, in scene units. */
+  struct Image : vtkIndirectRectangle
   {
-    glm::dvec3 Origin{ 0.0 }; // scene units
-    glm::dvec3 Edge1{ 0.0 };  // along rows
-    glm::dvec3 Edge2{ 0.0 };
-    int Columns = 1;
+    using vtkIndirectRectangle::vtkIndirectRectangle;
+    int Columns = 1; // along Edge1
     int Rows = 1;
     const float* Radiances = nullptr; // three numbers a pixel
-    bool TwoSided = false;
   };
   struct Light
   {
@@ -38,11 +35,11 @@ public:
   };
 
   /**
-   * Makes at most this many lights, but at least one for each side of an emitter that is not dark.
+   * Makes at most this many lights, but at least one for each side of an image that is not dark.
    * Pieces are no smaller than pixels, a 64th of an edge where pixels are larger, a 512th where
    * pixels are smaller.
    */
-  static std::vector<Light> MakeLights(const std::vector<Emitter>& emitters, int count);
+  static std::vector<Light> MakeLights(const std::vector<Image>& images, int count);
 };
 
 #endif

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VirtualLights/vtkIndirectEmitters.h"
 
-#include "VirtualLights/vtkIndirectSkyGroups.h"
-#include "vtkAreaLight.h"
+#include "VirtualLights/vtkIndirectDirections.h"
+#include "VirtualLights/vtkIndirectRectangle.h"
+#include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkMath.h"
 
 #include <algorithm>
@@ -18,9 +19,26 @@ constexpr int FirstPiece = 1024;
 constexpr int MostPiecesPerEdge = 2;
 constexpr size_t MostPieces = vtkIndirectEmitters::MostPieces;
 
-glm::dvec3 ToVector(const double v[3])
+// Number of directions that may become groups of their own. vtkIndirectSkyGather sums over as many,
+// so that the light of a sun is reflected at the place where it falls.
+constexpr int NumberOfFineDirections = 256;
+
+double Sum(const glm::dvec3& light)
 {
-  return { v[0], v[1], v[2] };
+  return light.x + light.y + light.z;
+}
+
+size_t FindNearest(const glm::dvec3& direction, const std::vector<glm::dvec3>& lattice)
+{
+  size_t nearest = 0;
+  for (size_t i = 1; i < lattice.size(); ++i)
+  {
+    if (glm::dot(direction, lattice[i]) > glm::dot(direction, lattice[nearest]))
+    {
+      nearest = i;
+    }
+  }
+  return nearest;
 }
 
 // Returns the mean radiance of a part of an area light.
@@ -154,16 +172,44 @@ void JoinAlike(vtkIndirectEmitters::List& list, size_t most)
 void vtkIndirectEmitters::AddSky(
   List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment)
 {
-  for (const vtkIndirectSkyGroups::Group& group :
-    vtkIndirectSkyGroups::Make(projection, environment))
+  const vtkIndirectSkyProjection::Result& sky =
+    projection.Find(environment, NumberOfFineDirections);
+  const std::vector<glm::dvec3>& fine = sky.Directions;
+  const std::vector<glm::dvec3>& light = sky.Light;
+  const std::vector<glm::dvec3> coarse = vtkIndirectDirections::MakeLattice(NumberOfSkyGroups);
+  List all;
+  auto add = [&all](int number, const glm::dvec3& direction, const glm::dvec3& strength)
   {
     vtkIndirectEmitter emitter;
-    emitter.Number = group.Number;
-    emitter.Light.DirectionWC = -group.Direction;
+    emitter.Number = number;
+    emitter.Light.DirectionWC = -direction;
     emitter.Light.Color = glm::dvec3(1.0);
-    emitter.Strength = group.Strength;
-    emitters.push_back(emitter);
+    emitter.Strength = strength;
+    all.push_back(emitter);
+  };
+  for (const glm::dvec3& direction : coarse)
+  {
+    add(static_cast<int>(all.size()), direction, glm::dvec3(0.0));
   }
+  double total = 0.0;
+  for (const glm::dvec3& l : light)
+  {
+    total += Sum(l);
+  }
+  for (size_t i = 0; i < fine.size(); ++i)
+  {
+    const glm::dvec3 strength = light[i] / vtkMath::Pi();
+    if (Sum(light[i]) * NumberOfSkyGroups > total)
+    {
+      add(NumberOfSkyGroups + static_cast<int>(i), sky.Middles[i], strength);
+    }
+    else
+    {
+      all[FindNearest(fine[i], coarse)].Strength += strength;
+    }
+  }
+  std::copy_if(all.begin(), all.end(), std::back_inserter(emitters),
+    [](const vtkIndirectEmitter& emitter) { return Sum(emitter.Strength) > 0.0; });
 }
 
 //------------------------------------------------------------------------------
@@ -177,16 +223,12 @@ void vtkIndirectEmitters::AddAreaLights(
   {
     vtkAreaLight* light = lights[static_cast<size_t>(number)];
     const double area = light->GetArea() / (pieces * pieces);
+    const vtkIndirectRectangle whole(light);
     if (!light->GetSwitch() || !(area > 0.0))
     {
       continue;
     }
-    const glm::dvec3 origin = ToVector(light->GetOrigin());
-    const glm::dvec3 edge1 = ToVector(light->GetPoint1()) - origin;
-    const glm::dvec3 edge2 = ToVector(light->GetPoint2()) - origin;
-    double normal[3];
-    light->GetNormal(normal);
-    for (int side = 0; side < (light->GetTwoSided() ? 2 : 1); ++side)
+    for (int side = 0; side < (whole.TwoSided ? 2 : 1); ++side)
     {
       for (int i = 0; i < pieces * pieces; ++i)
       {
@@ -196,8 +238,8 @@ void vtkIndirectEmitters::AddAreaLights(
         emitter.Number =
           FirstPiece + ((2 * number + side) * MostPiecesPerEdge + y) * MostPiecesPerEdge + x;
         emitter.Light.Positional = true;
-        emitter.Light.PositionWC = origin + (x + 0.5) / pieces * edge1 + (y + 0.5) / pieces * edge2;
-        emitter.Light.DirectionWC = (side == 0 ? 1.0 : -1.0) * ToVector(normal);
+        emitter.Light.PositionWC = whole.GetPlace({ (x + 0.5) / pieces, (y + 0.5) / pieces });
+        emitter.Light.DirectionWC = (side == 0 ? 1.0 : -1.0) * whole.Normal;
         emitter.Light.Color = glm::dvec3(1.0);
         // The irradiance is L A cos / (pi d^2 + A): a spot of the whole hemisphere.
         emitter.Light.Attenuation = { area / vtkMath::Pi(), 0.0, 1.0 };
@@ -223,12 +265,13 @@ double vtkIndirectEmitters::FindIrradiance(
     const double area = light->GetSwitch() ? light->GetArea() : 0.0;
     if (area > 0.0)
     {
-      const glm::dvec3 middle = 0.5 * (ToVector(light->GetPoint1()) + ToVector(light->GetPoint2()));
-      const glm::dvec3 apart = middle - ToVector(place);
-      double mean[3];
-      light->GetMeanRadiance(mean);
+      const glm::dvec3 middle =
+        0.5 * (glm::make_vec3(light->GetPoint1()) + glm::make_vec3(light->GetPoint2()));
+      const glm::dvec3 apart = middle - glm::make_vec3(place);
+      glm::dvec3 mean;
+      light->GetMeanRadiance(&mean[0]);
       // The light counts as a disk of its area, as virtual lights do.
-      sum += ToVector(mean) * (area / (vtkMath::Pi() * glm::dot(apart, apart) + area));
+      sum += mean * (area / (vtkMath::Pi() * glm::dot(apart, apart) + area));
     }
   }
   return std::max({ sum.x, sum.y, sum.z });

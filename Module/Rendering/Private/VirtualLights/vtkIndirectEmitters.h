@@ -21,13 +21,22 @@ struct vtkIndirectEmitter
   vtkIndirectLight Light;
   glm::dvec3 Strength{ 0.0 }; // VTK's colour times intensity
   size_t Pieces = 1;          // number of pieces that it represents
+  int FirstBounce = 1;        // first bounce that random walks from the emitter keep
 };
 
 namespace vtkIndirectEmitters
 {
 using List = std::vector<vtkIndirectEmitter>;
 
-/** Adds the directions of the sky's groups (vtkIndirectSkyGroups) that send light. */
+/** Number of groups of directions of the sky, without those of one direction. */
+constexpr int NumberOfSkyGroups = 32;
+
+/**
+ * Adds the groups of directions of the sky that send light. Their directions are fixed in the
+ * world, and they hold all of the sky's light. A direction with more light than a group's mean
+ * share, such as a sun's, is a group of its own. Reflected light is a mean over many senders, so it
+ * needs fewer directions than received light.
+ */
 void AddSky(List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
 
 /** Largest number of pieces of area lights: each has a map of five faces. */

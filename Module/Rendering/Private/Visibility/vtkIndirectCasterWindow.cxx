@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <set>
 #include <utility>
@@ -23,11 +24,6 @@ namespace
 // cell is tested with all points.
 constexpr vtkIdType MostPoints = 128;
 
-glm::dvec3 ToVector(const double v[3])
-{
-  return { v[0], v[1], v[2] };
-}
-
 // The sides of a cell's plane on which points lie, beyond a tolerance for rounding.
 struct Sides
 {
@@ -37,19 +33,19 @@ struct Sides
 
 Sides FindSides(vtkPoints* points, const vtkIdType* ids, vtkIdType size, double tolerance)
 {
-  const glm::dvec3 first = ToVector(points->GetPoint(ids[0]));
+  const glm::dvec3 first = glm::make_vec3(points->GetPoint(ids[0]));
   glm::dvec3 normal(0.0);
   for (vtkIdType i = 1; i + 1 < size; ++i)
   {
-    const glm::dvec3 a = ToVector(points->GetPoint(ids[i])) - first;
-    const glm::dvec3 b = ToVector(points->GetPoint(ids[i + 1])) - first;
+    const glm::dvec3 a = glm::make_vec3(points->GetPoint(ids[i])) - first;
+    const glm::dvec3 b = glm::make_vec3(points->GetPoint(ids[i + 1])) - first;
     normal += glm::cross(a, b);
   }
   const double length = glm::length(normal);
   Sides sides;
   for (vtkIdType i = 0; length > 0.0 && i < points->GetNumberOfPoints(); ++i)
   {
-    const double height = glm::dot(ToVector(points->GetPoint(i)) - first, normal) / length;
+    const double height = glm::dot(glm::make_vec3(points->GetPoint(i)) - first, normal) / length;
     sides.Before = sides.Before || height > tolerance;
     sides.Behind = sides.Behind || height < -tolerance;
   }

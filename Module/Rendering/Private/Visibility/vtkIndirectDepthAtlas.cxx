@@ -12,23 +12,19 @@
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkProp.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
-#include <unordered_map>
 
 namespace
 {
 const vtkIndirectChannel NoChannels[] = { { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
 
-// Limits of the atlas: texels along an edge, and texels in all (256 MB). OpenGL may allow less for
-// a texture.
+// Texels along an edge of the texture; OpenGL may allow less.
 constexpr int MostTexels = 16384;
-constexpr double MostOfAll = 64.0 * 1024.0 * 1024.0;
 // With too many tiles for the atlas, tiles have fewer texels, but at least this many.
 constexpr int LeastTexels = 16;
 
@@ -57,175 +53,143 @@ vtkIndirectDepthAtlas::vtkIndirectDepthAtlas(bool strips)
 vtkIndirectDepthAtlas::~vtkIndirectDepthAtlas() = default;
 
 //------------------------------------------------------------------------------
-// Marks tiles as stale that can see a caster that has come, gone or changed since they were drawn.
-void vtkIndirectDepthAtlas::ForgetWhatChanged(const vtkIndirectFrame& frame)
+void vtkIndirectDepthAtlas::Convert(
+  double scale, const glm::dvec3& center, const vtkIndirectFrame& frame)
 {
-  if (frame.SceneScale != this->SceneScale || frame.SceneCenter != this->SceneCenter)
+  for (Drawing& drawing : this->Drawn)
   {
-    for (Drawing& drawing : this->Drawn)
+    drawing.There = drawing.There && drawing.Tile.Parallel;
+    if (drawing.There)
     {
-      // The near and far plane of a perspective tile depend on the units.
-      drawing.There = drawing.There && drawing.Tile.Parallel;
-      if (drawing.There)
-      {
-        drawing.Tile = drawing.Tile.FromUnits(this->SceneScale, this->SceneCenter, frame);
-      }
+      drawing.Tile = drawing.Tile.FromUnits(scale, center, frame);
     }
-    this->SceneScale = frame.SceneScale;
-    this->SceneCenter = frame.SceneCenter;
   }
-  std::vector<Caster> now;
-  now.reserve(frame.Casters.size());
-  for (const vtkIndirectCaster& caster : frame.Casters)
-  {
-    Caster entry = { caster.Prop, caster.Revision, {} };
-    std::copy(caster.Bounds, caster.Bounds + 6, entry.Bounds);
-    now.push_back(entry);
-  }
-  if (now == this->Casters)
-  {
-    return;
-  }
-  std::unordered_map<vtkProp*, const Caster*> before;
-  for (const Caster& caster : this->Casters)
-  {
-    before[caster.Prop] = &caster;
-  }
-  std::vector<const double*> changed;
-  for (const Caster& caster : now)
-  {
-    const auto found = before.find(caster.Prop);
-    if (found == before.end())
-    {
-      changed.push_back(caster.Bounds);
-      continue;
-    }
-    const Caster& last = *found->second;
-    if (!(last == caster))
-    {
-      changed.push_back(caster.Bounds);
-      changed.push_back(last.Bounds);
-    }
-    before.erase(found);
-  }
-  for (const auto& gone : before)
-  {
-    changed.push_back(gone.second->Bounds);
-  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthAtlas::MarkStale(
+  const vtkIndirectFrame& frame, const std::vector<Bounds>& changed)
+{
   for (Drawing& drawing : this->Drawn)
   {
     for (size_t i = 0; drawing.Valid && i < changed.size(); ++i)
     {
-      drawing.Valid = !drawing.Tile.CanSee(frame, changed[i], this->Texels);
+      drawing.Valid = !drawing.Tile.CanSee(frame, changed[i].data(), this->Texels);
     }
   }
-  this->Casters = std::move(now);
 }
 
 //------------------------------------------------------------------------------
-// Chooses the tiles to draw now.
-std::vector<int> vtkIndirectDepthAtlas::ChooseTiles(
-  const std::vector<Emitter>& emitters, size_t count, size_t most)
-{
-  this->Drawn.resize(count);
-  std::vector<int> missing;
-  std::vector<int> stale;
-  for (size_t i = 0; i < count; ++i)
-  {
-    Drawing& drawing = this->Drawn[i];
-    const vtkIndirectDepthTile& tile = emitters[i].Tile;
-    const bool same = drawing.There && drawing.Tile == tile;
-    const bool moved = drawing.There && tile.Parallel && drawing.Tile.Forward == tile.Forward;
-    drawing.There = same || moved;
-    drawing.Valid = drawing.Valid && same;
-    if (!emitters[i].Sends)
-    {
-      continue;
-    }
-    if (!drawing.There)
-    {
-      missing.push_back(static_cast<int>(i));
-    }
-    else if (!drawing.Valid)
-    {
-      stale.push_back(static_cast<int>(i));
-    }
-  }
-  std::stable_sort(missing.begin(), missing.end(),
-    [&](int a, int b)
-    { return emitters[static_cast<size_t>(a)].Turn < emitters[static_cast<size_t>(b)].Turn; });
-  std::stable_sort(stale.begin(), stale.end(),
-    [this](int a, int b) {
-      return this->Drawn[static_cast<size_t>(a)].Time < this->Drawn[static_cast<size_t>(b)].Time;
-    });
-  const bool first = std::none_of(
-    this->Drawn.begin(), this->Drawn.end(), [](const Drawing& drawing) { return drawing.There; });
-  most = std::max(most, first ? FirstTiles : LeastTiles);
-  std::vector<int> chosen = missing;
-  chosen.insert(chosen.end(), stale.begin(), stale.end());
-  const size_t all = chosen.size();
-  chosen.resize(std::min(all, most));
-  this->NumberOfMissingTiles =
-    static_cast<int>(missing.size() - std::min(missing.size(), chosen.size()));
-  this->NumberOfStaleTiles = static_cast<int>(all - chosen.size());
-  for (const int i : chosen)
-  {
-    this->Drawn[static_cast<size_t>(i)] = { emitters[static_cast<size_t>(i)].Tile, true, true,
-      ++this->NumberOfTilesDrawn };
-  }
-  return chosen;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectDepthAtlas::Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-  const std::vector<Emitter>& emitters, int texels, bool caching, int tilesPerFrame)
+void vtkIndirectDepthAtlas::Request(
+  const vtkIndirectFrame& frame, const std::vector<Map>& maps, int texels, double memory)
 {
   const int edge = std::min(vtkTextureObject::GetMaximumTextureSize(frame.Window), MostTexels);
-  const int fitting = this->FindTexels(emitters.size(), texels, edge);
-  if (fitting != this->Texels)
+  int most = this->CountMostTiles(texels, edge, memory);
+  while (texels / 2 >= LeastTexels && maps.size() > static_cast<size_t>(most))
   {
-    this->Forget();
-    this->Texels = fitting;
+    texels /= 2;
+    most = this->CountMostTiles(texels, edge, memory);
   }
-  const glm::ivec2 size = this->GetTileSize(this->Texels);
-  const int most = this->CountMostTiles(fitting, edge);
-  const int count = static_cast<int>(std::min(emitters.size(), static_cast<size_t>(most)));
+  const glm::ivec2 size = this->GetTileSize(texels);
+  const int count = static_cast<int>(std::min(maps.size(), static_cast<size_t>(most)));
   // Uses as few columns as possible: then rows of a tile lie close together in memory, which suits
   // the processor's caches.
   const int mostRows = std::max(1, edge / size.y);
   const int columns = std::max(1, (count + mostRows - 1) / mostRows);
   const int rows = std::max(1, (count + columns - 1) / columns);
+  if (texels != this->Texels || columns != this->Columns || rows != this->Rows)
+  {
+    this->Forget();
+  }
+  this->Texels = texels;
+  this->Columns = columns;
+  this->Rows = rows;
+  this->NumberOfTilesTooMany = static_cast<int>(maps.size()) - count;
+  this->FindTilesToDraw(maps, static_cast<size_t>(count));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthAtlas::FindTilesToDraw(const std::vector<Map>& maps, size_t count)
+{
+  this->Drawn.resize(count);
+  std::vector<size_t> missing;
+  std::vector<size_t> stale;
+  for (size_t i = 0; i < count; ++i)
+  {
+    Drawing& drawing = this->Drawn[i];
+    const vtkIndirectDepthTile& tile = maps[i].Tile;
+    const bool same = drawing.There && drawing.Tile == tile;
+    const bool moved = drawing.There && tile.Parallel && drawing.Tile.Forward == tile.Forward;
+    drawing.There = same || moved;
+    drawing.Valid = drawing.Valid && same;
+    if (maps[i].Sends && !drawing.Valid)
+    {
+      (drawing.There ? stale : missing).push_back(i);
+    }
+  }
+  std::stable_sort(missing.begin(), missing.end(),
+    [&](size_t a, size_t b) { return maps[a].Turn < maps[b].Turn; });
+  std::stable_sort(stale.begin(), stale.end(),
+    [this](size_t a, size_t b) { return this->Drawn[a].Time < this->Drawn[b].Time; });
+  this->NumberOfMissingTiles = static_cast<int>(missing.size());
+  this->Left.clear();
+  for (const std::vector<size_t>* list : { &missing, &stale })
+  {
+    for (const size_t i : *list)
+    {
+      this->Left.emplace_back(static_cast<int>(i), maps[i].Tile);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// Takes the tiles to draw now from the tiles that are left.
+std::vector<int> vtkIndirectDepthAtlas::TakeTiles(size_t most)
+{
+  const bool first = std::none_of(
+    this->Drawn.begin(), this->Drawn.end(), [](const Drawing& drawing) { return drawing.There; });
+  most = std::min(std::max(most, first ? FirstTiles : LeastTiles), this->Left.size());
+  std::vector<int> taken;
+  for (size_t i = 0; i < most; ++i)
+  {
+    const auto& [number, tile] = this->Left[i];
+    this->Drawn[static_cast<size_t>(number)] = { tile, true, true, ++this->NumberOfTilesDrawn };
+    taken.push_back(number);
+  }
+  this->Left.erase(this->Left.begin(), this->Left.begin() + static_cast<std::ptrdiff_t>(most));
+  this->NumberOfMissingTiles = std::max(this->NumberOfMissingTiles - static_cast<int>(most), 0);
+  return taken;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDepthAtlas::Draw(
+  const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, int most)
+{
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  if (!caching || columns != this->Columns || rows != this->Rows)
-  {
-    this->Forget();
-  }
-  this->Columns = columns;
-  this->Rows = rows;
-  if (!this->Depths.Resize(frame.Window, columns * size.x, rows * size.y))
+  const glm::ivec2 size = glm::ivec2(this->Columns, this->Rows) * this->GetTileSize(this->Texels);
+  this->Changed = false;
+  if (!this->Depths.Resize(frame.Window, size.x, size.y))
   {
     this->Forget();
     return false;
   }
-  this->ForgetWhatChanged(frame);
-  this->NumberOfTilesTooMany = static_cast<int>(emitters.size()) - count;
-  const std::vector<int> stale =
-    this->ChooseTiles(emitters, static_cast<size_t>(count), static_cast<size_t>(tilesPerFrame));
-  if (stale.empty())
+  const std::vector<int> tiles = this->TakeTiles(static_cast<size_t>(most));
+  if (tiles.empty())
   {
     return true;
   }
+  this->Changed = true;
   this->Depths.Begin();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_BLEND);
-  const std::vector<View> views = this->Clear(frame, stale);
+  const std::vector<View> views = this->Clear(frame, tiles);
   const std::vector<const vtkIndirectCaster*> others = this->DrawPlain(frame, views);
   if (!others.empty())
   {
@@ -243,25 +207,20 @@ glm::ivec2 vtkIndirectDepthAtlas::GetTileSize(int texels) const
 }
 
 //------------------------------------------------------------------------------
-// Returns how many tiles of this size fit into a texture of this edge and into the atlas's memory.
-int vtkIndirectDepthAtlas::CountMostTiles(int texels, int edge) const
+// Returns how many tiles of this size fit into a texture of this edge and into this memory.
+int vtkIndirectDepthAtlas::CountMostTiles(int texels, int edge, double memory) const
 {
   const glm::ivec2 size = this->GetTileSize(texels);
   return std::max(1,
     std::min((edge / size.x) * (edge / size.y),
-      static_cast<int>(MostOfAll / (static_cast<double>(size.x) * size.y))));
+      static_cast<int>(memory / (static_cast<double>(size.x) * size.y))));
 }
 
 //------------------------------------------------------------------------------
-// Returns the wanted number of texels, or fewer, so that all tiles fit.
-int vtkIndirectDepthAtlas::FindTexels(size_t count, int texels, int edge) const
+double vtkIndirectDepthAtlas::CountTexels() const
 {
-  while (
-    texels / 2 >= LeastTexels && count > static_cast<size_t>(this->CountMostTiles(texels, edge)))
-  {
-    texels /= 2;
-  }
-  return texels;
+  const glm::dvec2 size(this->GetTileSize(this->Texels));
+  return size.x * size.y * this->Columns * this->Rows;
 }
 
 //------------------------------------------------------------------------------
@@ -298,7 +257,7 @@ std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
     {
       if (k == 0 || tile.Strips[static_cast<size_t>(k - 1)].HalfWidth.x > 0.0)
       {
-        View view = { number, k, tile.GetView(k), {} };
+        View view = { number, &tile, k, tile.GetView(k), {} };
         view.ToClip = view.Camera.GetWorldToClip(frame);
         views.push_back(view);
         this->Use(frame, number, k);
@@ -310,14 +269,6 @@ std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
 }
 
 //------------------------------------------------------------------------------
-// Finds the views of a view's tile that see these bounds.
-unsigned int vtkIndirectDepthAtlas::FindViews(
-  const vtkIndirectFrame& frame, const View& view, const double bounds[6])
-{
-  return this->Drawn[static_cast<size_t>(view.Tile)].Tile.FindViews(frame, bounds, this->Texels);
-}
-
-//------------------------------------------------------------------------------
 // Draws all views of one prop after the other. Returns the casters that only their own mappers can
 // draw.
 std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
@@ -326,7 +277,7 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
   // A view, and the deviation of a coarse level in it, in world units.
   struct Look
   {
-    const View* Of;
+    const View* Seen;
     double Error;
   };
   std::vector<const vtkIndirectCaster*> others;
@@ -345,7 +296,7 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
     for (const View& view : views)
     {
       // Views of a tile follow each other, the view ahead first.
-      seen = view.Number == 0 ? this->FindViews(frame, view, caster.Bounds) : seen;
+      seen = view.Number == 0 ? view.Whole->FindViews(frame, caster.Bounds, this->Texels) : seen;
       if ((seen >> view.Number) & 1u)
       {
         Look look = { &view, 0.0 };
@@ -369,7 +320,7 @@ std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
       }
       for (const Look& look : list)
       {
-        const View& view = *look.Of;
+        const View& view = *look.Seen;
         this->Use(frame, view.Tile, view.Number);
         if (level)
         {
@@ -422,7 +373,7 @@ void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
       frame, { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, std::max(widths.x, widths.y) });
     for (const vtkIndirectCaster* caster : casters)
     {
-      if ((this->FindViews(frame, view, caster->Bounds) >> view.Number) & 1u)
+      if ((view.Whole->FindViews(frame, caster->Bounds, this->Texels) >> view.Number) & 1u)
       {
         capture->BeginCaster(false);
         caster->Prop->RenderOpaqueGeometry(frame.Renderer);
@@ -454,6 +405,8 @@ void vtkIndirectDepthAtlas::Release(vtkWindow* window)
   this->Depths.Release(window);
   this->Drawer.Release(window);
   this->Forget();
-  this->Casters.clear();
+  this->Left.clear();
+  this->NumberOfMissingTiles = this->NumberOfTilesTooMany = 0;
+  this->Changed = false;
   this->Columns = this->Rows = this->Texels = 0;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Depth maps of any number of emitters, as tiles of one texture. VTK's mappers draw them through
-// the capture, so that glyphs, impostors and textures cast the shadows that they draw. Tiles are
-// kept while the camera moves: a tile is drawn again only when its emitter, or a caster that it can
-// see, has changed.
+// The depth maps of one client of vtkIndirectDepthMaps, as tiles of one texture. VTK's mappers draw
+// tiles through the capture, so that glyphs, impostors and textures cast the shadows that they
+// draw. Tiles are kept while the camera moves: a tile is drawn again only when its emitter, or a
+// caster that the tile can see, has changed.
 #ifndef vtkIndirectDepthAtlas_h
 #define vtkIndirectDepthAtlas_h
 
@@ -10,14 +10,13 @@
 #include "OpenGL/vtkIndirectTarget.h"        // for a member
 #include "Visibility/vtkIndirectDepthTile.h" // for tiles
 #include "vtkSmartPointer.h"                 // for a member
-#include "vtkType.h"                         // for times
 
-#include <algorithm> // for comparison
-#include <cstddef>   // for size_t
-#include <vector>    // for tiles
+#include <array>   // for bounds
+#include <cstddef> // for size_t
+#include <utility> // for pairs
+#include <vector>  // for tiles
 
 class vtkOpenGLCamera;
-class vtkProp;
 class vtkSurfaceCapturePass;
 struct vtkIndirectCaster;
 
@@ -28,49 +27,53 @@ public:
   explicit vtkIndirectDepthAtlas(bool strips = false);
   ~vtkIndirectDepthAtlas();
 
-  /**
-   * An emitter's tile, whether the emitter sends any light (tiles of others are left as they are),
-   * and its turn among the emitters without a tile: lower numbers are drawn first.
-   */
-  struct Emitter
+  /** A map that a client asks for. */
+  struct Map
   {
     vtkIndirectDepthTile Tile;
-    bool Sends = true;
-    size_t Turn = 0;
+    bool Sends = true; // false: the emitter sends no light now, and its tile is left as it is
+    size_t Turn = 0;   // of the maps without a tile the lowest numbers are drawn first
   };
+  using Bounds = std::array<double, 6>; // world coordinates
 
-  /**
-   * Brings the tiles of these emitters up to date. Tiles have this many texels along an edge, or a
-   * half, a quarter and so on if 256 MB or OpenGL's largest texture cannot hold all of them. Draws
-   * at most `tilesPerFrame` tiles, but at least one, or four if no tile is drawn yet: emitters
-   * without a tile come first, then the tiles that have waited longest. When the tile of a
-   * direction is fitted to a changed scene, its previous map is kept until it is drawn again.
-   * Without caching nothing is kept. Returns false, after an error, when OpenGL refuses.
+  /** Converts the tiles to a frame's units. Perspective tiles are dropped: depths depend on units.
    */
-  bool Update(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    const std::vector<Emitter>& emitters, int texels, bool caching, int tilesPerFrame = 1 << 30);
+  void Convert(double scale, const glm::dvec3& center, const vtkIndirectFrame& frame);
+  /** Marks tiles as stale that can see any of these bounds, in which something has changed. */
+  void MarkStale(const vtkIndirectFrame& frame, const std::vector<Bounds>& changed);
+  /**
+   * Takes these maps in place of the former ones, and finds the tiles to draw. Tiles have this many
+   * texels along an edge, or a half, a quarter and so on if this memory, in texels, or OpenGL's
+   * largest texture cannot hold all tiles. When the tile of a direction is fitted to a changed
+   * scene, its previous map is kept until the tile is drawn again.
+   */
+  void Request(
+    const vtkIndirectFrame& frame, const std::vector<Map>& maps, int texels, double memory);
+  /**
+   * Draws at most `most` of the tiles that Request has found, but at least one, or four if no tile
+   * is drawn yet: maps without a tile come first, then the tiles that have waited longest. Returns
+   * false, after an error, when OpenGL refuses.
+   */
+  bool Draw(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture, int most);
 
-  /** Drops all tiles; the next Update draws them again. */
+  /** Drops all tiles. */
   void Forget() { this->Drawn.clear(); }
 
-  /** Returns true if this emitter has a map; the map may show the scene of a few frames ago. */
-  bool HasTile(size_t emitter) const
-  {
-    return emitter < this->Drawn.size() && this->Drawn[emitter].There;
-  }
-  /** Returns the emitter's tile as it was drawn. */
-  const vtkIndirectDepthTile& GetTile(size_t emitter) const { return this->Drawn[emitter].Tile; }
+  /** Returns true if this map has a tile; the tile may show the scene of a few frames ago. */
+  bool HasTile(size_t map) const { return map < this->Drawn.size() && this->Drawn[map].There; }
+  /** Returns a map's tile as it was drawn. */
+  const vtkIndirectDepthTile& GetTile(size_t map) const { return this->Drawn[map].Tile; }
   ///@{
   /**
-   * Return, after Update, the number of emitters without a map, and the number of emitters whose
-   * map is missing or not up to date.
+   * Return the number of maps left to be drawn, missing or not up to date, and the number of
+   * missing ones among them.
    */
+  int GetNumberOfTilesLeft() const { return static_cast<int>(this->Left.size()); }
   int GetNumberOfMissingTiles() const { return this->NumberOfMissingTiles; }
-  int GetNumberOfStaleTiles() const { return this->NumberOfStaleTiles; }
   ///@}
-  /**
-   * Returns the number of emitters, the last ones, that have no room even with the smallest tiles.
-   */
+  /** Returns true if the last Draw has drawn a tile. */
+  bool HasChanged() const { return this->Changed; }
+  /** Returns the number of maps, the last ones, that have no room even with the smallest tiles. */
   int GetNumberOfTilesTooMany() const { return this->NumberOfTilesTooMany; }
 
   /** Binds the depths and sets vtkiDepthTiles and vtkiTileShape; pair. */
@@ -85,6 +88,8 @@ public:
   glm::dvec2 GetMiddle(int tile) const;
   /** Returns how many tiles were drawn since construction. */
   size_t GetNumberOfTilesDrawn() const { return this->NumberOfTilesDrawn; }
+  /** Returns the number of texels of all tiles. */
+  double CountTexels() const;
   size_t GetBytes() const { return this->Depths.GetBytes(); }
   void Release(vtkWindow* window);
 
@@ -97,26 +102,14 @@ private:
     bool Valid = false; // up to date: nothing that the tile sees has changed since
     size_t Time = 0;    // NumberOfTilesDrawn at the time of drawing
   };
-  struct Caster
-  {
-    vtkProp* Prop;
-    vtkTypeUInt64 Revision;
-    double Bounds[6];
-    bool operator==(const Caster& other) const
-    {
-      return this->Prop == other.Prop && this->Revision == other.Revision &&
-        std::equal(this->Bounds, this->Bounds + 6, other.Bounds);
-    }
-  };
-
-  void ForgetWhatChanged(const vtkIndirectFrame& frame);
-  std::vector<int> ChooseTiles(const std::vector<Emitter>& emitters, size_t count, size_t most);
-  int CountMostTiles(int texels, int edge) const;
-  int FindTexels(size_t count, int texels, int edge) const;
+  void FindTilesToDraw(const std::vector<Map>& maps, size_t count);
+  std::vector<int> TakeTiles(size_t most);
+  int CountMostTiles(int texels, int edge, double memory) const;
   // A view of a tile that is to be drawn.
   struct View
   {
     int Tile;
+    const vtkIndirectDepthTile* Whole; // the tile as it is drawn
     int Number;
     vtkIndirectDepthTile Camera;
     glm::dmat4 ToClip;
@@ -125,7 +118,6 @@ private:
   glm::ivec2 GetTileSize(int texels) const;
   void Use(const vtkIndirectFrame& frame, int tile, int view);
   std::vector<View> Clear(const vtkIndirectFrame& frame, const std::vector<int>& tiles);
-  unsigned int FindViews(const vtkIndirectFrame& frame, const View& view, const double bounds[6]);
   std::vector<const vtkIndirectCaster*> DrawPlain(
     const vtkIndirectFrame& frame, const std::vector<View>& views);
   void DrawOthers(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
@@ -136,16 +128,14 @@ private:
   vtkIndirectDepthDrawer Drawer;
   vtkSmartPointer<vtkOpenGLCamera> Camera;
   std::vector<Drawing> Drawn;
-  std::vector<Caster> Casters; // state of the last Update
-  double SceneScale = 0.0;
-  glm::dvec3 SceneCenter{ 0.0 };
+  std::vector<std::pair<int, vtkIndirectDepthTile>> Left; // tiles to draw, first the missing ones
   int Texels = 0;
   int Columns = 0; // tiles side by side
   int Rows = 0;
   int NumberOfMissingTiles = 0;
-  int NumberOfStaleTiles = 0;
   int NumberOfTilesTooMany = 0;
   size_t NumberOfTilesDrawn = 0;
+  bool Changed = false;
 };
 
 #endif

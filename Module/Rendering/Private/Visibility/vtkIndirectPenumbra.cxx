@@ -177,8 +177,8 @@ void FitPositional(
     const glm::dmat3 turned = rotation * glm::dmat3(x, y, z);
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
-      fit.Emitters.push_back(
-        { MakeTile(turned * FaceToLight(face), place + rotation * (radius * point), map), true });
+      fit.Tiles.push_back(
+        MakeTile(turned * FaceToLight(face), place + rotation * (radius * point), map));
     }
   }
 }
@@ -237,14 +237,16 @@ void FitDirectional(
     const glm::dmat3& to = axes[i];
     const glm::dvec3 place =
       middle + depth * to[2] + shift * (points[i].x * to[0] + points[i].y * to[1]);
-    fit.Emitters.push_back({ MakeTile(to, place, map), true });
+    fit.Tiles.push_back(MakeTile(to, place, map));
   }
 }
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectPenumbra::vtkIndirectPenumbra()
-  : Tiles(Channels, false)
+vtkIndirectPenumbra::vtkIndirectPenumbra(vtkIndirectDepthMaps& maps)
+  : DepthMaps(maps)
+  , Atlas(maps.Get(vtkIndirectDepthMaps::PENUMBRAE))
+  , Tiles(Channels, false)
 {
 }
 
@@ -261,36 +263,40 @@ vtkIndirectPenumbra::Light vtkIndirectPenumbra::Fit(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPenumbra::Update(const vtkIndirectFrame& frame, const vtkIndirectLightMaps& maps,
-  vtkSurfaceCapturePass* capture, bool caching)
+bool vtkIndirectPenumbra::Update(
+  const vtkIndirectFrame& frame, const vtkIndirectLightMaps& maps, vtkSurfaceCapturePass* capture)
 {
   this->Lights.clear();
-  this->Emitters.clear();
+  std::vector<vtkIndirectDepthMaps::Map> all;
   double wanted = FewestTexels;
   for (int i = 0; i < maps.GetNumberOfMaps(); ++i)
   {
     if (maps.GetMap(i).Light.Size > 0.0)
     {
       Light light = Fit(frame, maps.GetMap(i));
-      light.Map.Map.FirstLayer = static_cast<int>(this->Emitters.size());
+      light.Map.Map.FirstLayer = static_cast<int>(all.size());
       wanted = std::max(wanted, light.Texels);
-      this->Emitters.insert(this->Emitters.end(), light.Emitters.begin(), light.Emitters.end());
-      light.Emitters.clear();
+      for (const vtkIndirectDepthTile& tile : light.Tiles)
+      {
+        all.push_back({ tile });
+      }
+      light.Tiles.clear();
       this->Lights.push_back(std::move(light));
     }
   }
   if (this->Lights.empty())
   {
-    this->Clear(frame);
+    this->Release(frame.Window);
     return true;
   }
   // Maps are no finer than the user wants shadows to be, and no finer than the atlas has room for.
-  const double edge = std::ceil(std::sqrt(static_cast<double>(this->Emitters.size())));
+  const double edge = std::ceil(std::sqrt(static_cast<double>(all.size())));
   wanted =
     std::min({ wanted, static_cast<double>(maps.GetTexels()), std::floor(MaximumAtlas / edge) });
   constexpr int step = 16; // a small move of a light keeps the number
   this->Texels = step * std::max(1, static_cast<int>(wanted / step));
-  const bool drawn = this->Atlas.Update(frame, capture, this->Emitters, this->Texels, caching);
+  this->DepthMaps.Request(vtkIndirectDepthMaps::PENUMBRAE, frame, all, this->Texels);
+  const bool drawn = this->DepthMaps.Draw(frame, capture);
   this->Texels = this->Atlas.GetTexels();
   // Drawing by mappers detaches the capture.
   capture->Attach(frame);
@@ -303,7 +309,7 @@ bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
   const int width = this->Atlas.GetNumberOfColumns() * this->Texels;
   const int height = this->Atlas.GetNumberOfRows() * this->Texels;
   const bool there = this->Tiles.GetWidth() == width && this->Tiles.GetHeight() == height &&
-    this->Joined == this->GetNumberOfTilesDrawn();
+    this->Joined == this->Atlas.GetNumberOfTilesDrawn();
   if (!this->Tiles.Resize(frame.Window, width, height))
   {
     return false;
@@ -324,19 +330,10 @@ bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
     this->Atlas.Activate(program);
     this->Kernel.Draw();
     this->Atlas.Deactivate();
-    this->Joined = this->GetNumberOfTilesDrawn();
+    this->Joined = this->Atlas.GetNumberOfTilesDrawn();
   }
   this->Tiles.End();
   return program != nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectPenumbra::Clear(const vtkIndirectFrame& frame)
-{
-  if (this->Texels > 0)
-  {
-    this->Release(frame.Window);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -367,7 +364,7 @@ void vtkIndirectPenumbra::Deactivate() const
 //------------------------------------------------------------------------------
 void vtkIndirectPenumbra::AddToReport(vtkIndirectReport& report) const
 {
-  report.Bytes += this->GetBytes();
+  report.Bytes += this->Tiles.GetBytes();
   for (const Light& light : this->Lights)
   {
     const vtkIndirectShadowMap& map = light.Map.Map;
@@ -382,7 +379,7 @@ void vtkIndirectPenumbra::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectPenumbra::Release(vtkWindow* window)
 {
-  this->Atlas.Release(window);
+  this->DepthMaps.Release(vtkIndirectDepthMaps::PENUMBRAE, window);
   this->Tiles.Release(window);
   this->Kernel.Release();
   this->Lights.clear();

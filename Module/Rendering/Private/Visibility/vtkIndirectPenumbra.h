@@ -14,7 +14,7 @@
 #include "Capture/vtkIndirectShadowMaps.h"       // for the maps that the capture reads
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
-#include "Visibility/vtkIndirectDepthAtlas.h"    // for a member
+#include "Visibility/vtkIndirectDepthMaps.h"     // for depth maps
 
 #include <cstddef> // for size_t
 #include <vector>  // for lists
@@ -28,7 +28,7 @@ struct vtkIndirectReport;
 class vtkIndirectPenumbra
 {
 public:
-  vtkIndirectPenumbra();
+  explicit vtkIndirectPenumbra(vtkIndirectDepthMaps& maps);
   ~vtkIndirectPenumbra();
 
   /**
@@ -37,17 +37,14 @@ public:
    * error, when OpenGL refuses.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectLightMaps& maps,
-    vtkSurfaceCapturePass* capture, bool caching);
-  /** Releases its maps: shaders look up no penumbra. */
-  void Clear(const vtkIndirectFrame& frame);
+    vtkSurfaceCapturePass* capture);
 
   /** Adds its maps to the shadows and binds them; pair with Deactivate. */
   void Activate(vtkIndirectShadowMaps& shadows);
   void Deactivate() const;
 
-  size_t GetNumberOfTilesDrawn() const { return this->Atlas.GetNumberOfTilesDrawn(); }
-  size_t GetBytes() const { return this->Atlas.GetBytes() + this->Tiles.GetBytes(); }
   void AddToReport(vtkIndirectReport& report) const;
+  /** Releases the maps: shaders look up no penumbra. */
   void Release(vtkWindow* window);
 
   /**
@@ -57,7 +54,7 @@ public:
   struct Light
   {
     vtkIndirectPenumbraMap Map;
-    std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
+    std::vector<vtkIndirectDepthTile> Tiles;
     double Texels = 0.0;
   };
   /** Fits the maps of a light to the casters. */
@@ -66,13 +63,13 @@ public:
 private:
   bool JoinTexels(const vtkIndirectFrame& frame);
 
+  vtkIndirectDepthMaps& DepthMaps;
+  const vtkIndirectDepthAtlas& Atlas;
   std::vector<Light> Lights;
-  std::vector<vtkIndirectDepthAtlas::Emitter> Emitters;
-  int Texels = 0; // along an edge of a tile
-  vtkIndirectDepthAtlas Atlas;
+  int Texels = 0;          // along an edge of a tile
   vtkIndirectTarget Tiles; // maps that shaders read
   vtkIndirectFullScreenProgram Kernel{ "vtkIndirectPenumbraTilesFS.glsl" };
-  size_t Joined = 0; // number of tiles that the atlas had drawn by the last JoinTexels
+  size_t Joined = 0; // number of tiles that had been drawn by the last JoinTexels
 };
 
 #endif

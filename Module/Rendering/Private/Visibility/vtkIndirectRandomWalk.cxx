@@ -174,7 +174,7 @@ private:
 class vtkIndirectRandomWalk::Emission
 {
 public:
-  Emission(const vtkIndirectFrame& frame, const Source& source);
+  Emission(const vtkIndirectFrame& frame, const vtkIndirectEmitter& emitter);
 
   bool IsDark() const { return this->Dark; }
   // Makes the ray for a place of the unit square. footprint: the ray's share of all rays times
@@ -204,12 +204,13 @@ private:
 };
 
 //------------------------------------------------------------------------------
-vtkIndirectRandomWalk::Emission::Emission(const vtkIndirectFrame& frame, const Source& source)
-  : Light(source.Light)
-  , Strength(source.Strength)
+vtkIndirectRandomWalk::Emission::Emission(
+  const vtkIndirectFrame& frame, const vtkIndirectEmitter& emitter)
+  : Light(emitter.Light)
+  , Strength(emitter.Strength)
   , SceneScale(frame.SceneScale)
 {
-  this->Dark = !(Largest(source.Strength) > 0.0) || frame.Casters.empty();
+  this->Dark = !(Largest(emitter.Strength) > 0.0) || frame.Casters.empty();
   glm::dvec3 lower(VTK_DOUBLE_MAX);
   glm::dvec3 upper(-VTK_DOUBLE_MAX);
   for (const vtkIndirectCaster& caster : frame.Casters)
@@ -310,7 +311,7 @@ glm::dvec3 vtkIndirectRandomWalk::Emission::FindStrength(
 
 //------------------------------------------------------------------------------
 vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfaces& surfaces,
-  const Emission& emission, int source, size_t paths, int firstBounce, int lastBounce) const
+  const Emission& emission, int place, size_t paths, int firstBounce, int lastBounce) const
 {
   const size_t blocks = (paths + PathsAtATime - 1) / PathsAtATime;
   std::vector<List> found(blocks);
@@ -318,7 +319,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
   {
     const uint32_t number = static_cast<uint32_t>(path);
     const uint32_t seed =
-      vtkIndirectSamplePattern::Hash(static_cast<uint32_t>(source) * 64u + 0x51ed270bu);
+      vtkIndirectSamplePattern::Hash(static_cast<uint32_t>(place) * 64u + 0x51ed270bu);
     glm::dvec3 start;
     glm::dvec3 direction;
     double footprint;
@@ -359,7 +360,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
         vertex.Position = meeting.Position;
         vertex.Normal = meeting.FacetNormal;
         vertex.DensityArea = carried;
-        vertex.Source = source;
+        vertex.Emitter = place;
         vertex.Bounce = bounce;
         list.push_back(vertex);
       }
@@ -475,7 +476,7 @@ void vtkIndirectRandomWalk::FindTail(int lastBounce)
 
 //------------------------------------------------------------------------------
 void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkIndirectFrame& frame,
-  const std::vector<Source>& sources, const Settings& settings)
+  const vtkIndirectEmitters::List& emitters, const Settings& settings)
 {
   this->Vertices.clear();
   this->NumberOfPaths = 0;
@@ -484,13 +485,13 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
   std::vector<double> powers;
   std::vector<double> lengths;
   double total = 0.0;
-  for (size_t i = 0; i < sources.size(); ++i)
+  for (size_t i = 0; i < emitters.size(); ++i)
   {
-    const Emission emission(frame, sources[i]);
+    const Emission emission(frame, emitters[i]);
     const List pilot = emission.IsDark()
       ? List()
       : this->Trace(surfaces, emission, static_cast<int>(i), PilotPaths,
-          std::max(settings.FirstBounce, sources[i].FirstBounce), settings.LastBounce);
+          std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce);
     double power = 0.0;
     for (const Vertex& vertex : pilot)
     {
@@ -501,11 +502,11 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
     total += power;
   }
   double perPath = 0.0;
-  for (size_t i = 0; i < sources.size() && total > 0.0; ++i)
+  for (size_t i = 0; i < emitters.size() && total > 0.0; ++i)
   {
     perPath += powers[i] / total * lengths[i];
   }
-  for (size_t i = 0; i < sources.size() && perPath > 0.0; ++i)
+  for (size_t i = 0; i < emitters.size() && perPath > 0.0; ++i)
   {
     const double share = powers[i] / total * settings.NumberOfVertices / perPath;
     if (!(share > 0.0))
@@ -515,8 +516,8 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
     // The number of paths changes in steps, so that a light that moves a little keeps its paths.
     const size_t step = share > 256.0 ? 16 : 1;
     const size_t paths = std::max<size_t>(static_cast<size_t>(share) / step * step, 1);
-    const List found = this->Trace(surfaces, Emission(frame, sources[i]), static_cast<int>(i),
-      paths, std::max(settings.FirstBounce, sources[i].FirstBounce), settings.LastBounce);
+    const List found = this->Trace(surfaces, Emission(frame, emitters[i]), static_cast<int>(i),
+      paths, std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce);
     this->Vertices.insert(this->Vertices.end(), found.begin(), found.end());
     this->NumberOfPaths += paths;
   }

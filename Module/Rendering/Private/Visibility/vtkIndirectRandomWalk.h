@@ -23,7 +23,7 @@
 #ifndef vtkIndirectRandomWalk_h
 #define vtkIndirectRandomWalk_h
 
-#include "Frame/vtkIndirectFrame.h" // for lights
+#include "VirtualLights/vtkIndirectEmitters.h" // for emitters
 
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for lists
@@ -33,21 +33,14 @@ class vtkIndirectSurfaces;
 class vtkIndirectRandomWalk
 {
 public:
-  /** A light that paths begin at. */
-  struct Source
-  {
-    vtkIndirectLight Light;
-    glm::dvec3 Strength; // VTK's colour times intensity
-    int FirstBounce = 1; // first bounce whose vertices are kept
-  };
   struct Vertex
   {
     glm::dvec3 Position; // scene units
     glm::dvec3 Normal;   // unit normal of the facet, on the side that light leaves by
     double Area;
     glm::dvec3 DensityArea; // B A, for each colour
-    int Source;
-    int Bounce; // from 1
+    int Emitter;            // its place in the list
+    int Bounce;             // from 1
   };
   struct Settings
   {
@@ -58,11 +51,11 @@ public:
   };
 
   /**
-   * Walks from all sources, with more paths from sources whose light is reflected more. Vertices
+   * Walks from all emitters, with more paths from emitters whose light is reflected more. Vertices
    * that send nothing are left out.
    */
   void Walk(const vtkIndirectSurfaces& surfaces, const vtkIndirectFrame& frame,
-    const std::vector<Source>& sources, const Settings& settings);
+    const vtkIndirectEmitters::List& emitters, const Settings& settings);
 
   const std::vector<Vertex>& GetVertices() const { return this->Vertices; }
   size_t GetNumberOfPaths() const { return this->NumberOfPaths; }
@@ -77,8 +70,8 @@ private:
   class Emission;
   using List = std::vector<Vertex>;
 
-  List Trace(const vtkIndirectSurfaces& surfaces, const Emission& emission, int source,
-    size_t paths, int firstBounce, int lastBounce) const;
+  List Trace(const vtkIndirectSurfaces& surfaces, const Emission& emission, int place, size_t paths,
+    int firstBounce, int lastBounce) const;
   void FindAreas();
   void FindTail(int lastBounce);
 

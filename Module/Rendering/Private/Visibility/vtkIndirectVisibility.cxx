@@ -28,15 +28,17 @@ constexpr double DistanceOfTurn = 0.25;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectVisibility::vtkIndirectVisibility()
+vtkIndirectVisibility::vtkIndirectVisibility(vtkIndirectDepthMaps& maps)
   : Volume(new vtkIndirectOccupancyVolume)
+  , DepthMaps(maps)
+  , Atlas(maps.Get(vtkIndirectDepthMaps::VIRTUAL_LIGHTS))
 {
 }
 
 vtkIndirectVisibility::~vtkIndirectVisibility() = default;
 
 //------------------------------------------------------------------------------
-bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
+void vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
 {
   const vtkIndirectFrame& frame = input.Frame;
   const bool hadVolume = this->Current.HasVolume();
@@ -46,8 +48,8 @@ bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
   const bool volume = needs.HasVolume();
   if (lookedUp && !this->LooksUpMaps())
   {
-    this->Maps.Release(frame.Window);
-    this->EmittersTime = 0;
+    this->DepthMaps.Release(vtkIndirectDepthMaps::VIRTUAL_LIGHTS, frame.Window);
+    this->LightsTime = 0;
   }
   if (!volume && hadVolume)
   {
@@ -78,7 +80,10 @@ bool vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
   }
   this->NumberOfUpdates += changed ? 1 : 0;
   this->UpdateSpheres(input);
-  return !this->LooksUpMaps() || this->UpdateMaps(input);
+  if (this->LooksUpMaps())
+  {
+    this->RequestMaps(input);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -117,7 +122,7 @@ void vtkIndirectVisibility::UpdateSpheres(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
+void vtkIndirectVisibility::ReadLights(const vtkIndirectVirtualLights& lights)
 {
   const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
   const vtkIndirectTarget& table = lights.GetTable();
@@ -134,66 +139,70 @@ void vtkIndirectVisibility::ReadEmitters(const vtkIndirectVirtualLights& lights)
     const float* n = &normal[4 * i];
     const float* d = &density[4 * i];
     const float* lobe = &lobes[4 * i];
-    vtkIndirectDepthAtlas::Emitter& emitter = this->Lights[i];
-    emitter.Sends = p[3] > 0.0f && std::max({ d[0], d[1], d[2], lobe[0], lobe[1], lobe[2] }) > 0.0f;
+    vtkIndirectDepthMaps::Map& map = this->Lights[i];
+    map.Sends = p[3] > 0.0f && std::max({ d[0], d[1], d[2], lobe[0], lobe[1], lobe[2] }) > 0.0f;
     // The normal is a mean, which is shorter than one where surfaces differ.
     const glm::dvec3 axis =
-      emitter.Sends ? glm::normalize(glm::dvec3(n[0], n[1], n[2])) : glm::dvec3(n[0], n[1], n[2]);
-    emitter.Tile = vtkIndirectDepthTile::FromPlace({ p[0], p[1], p[2] }, axis);
+      map.Sends ? glm::normalize(glm::dvec3(n[0], n[1], n[2])) : glm::dvec3(n[0], n[1], n[2]);
+    map.Tile = vtkIndirectDepthTile::FromPlace({ p[0], p[1], p[2] }, axis);
   }
   this->Stride = (count + MaximumNumberOfTiles - 1) / MaximumNumberOfTiles;
-  this->Emitters.clear();
+  this->Maps.clear();
   for (size_t i = 0; i < count; i += this->Stride)
   {
-    this->Emitters.push_back(this->Lights[i]);
+    this->Maps.push_back(this->Lights[i]);
   }
   // Numbers with their bits reversed are spread over all lights, however few a frame draws.
-  for (size_t bit = 1; bit < this->Emitters.size(); bit *= 2)
+  for (size_t bit = 1; bit < this->Maps.size(); bit *= 2)
   {
-    for (size_t i = 0; i < this->Emitters.size(); ++i)
+    for (size_t i = 0; i < this->Maps.size(); ++i)
     {
-      size_t& turn = this->Emitters[i].Turn;
+      size_t& turn = this->Maps[i].Turn;
       turn = 2 * turn + (i & bit ? 1 : 0);
     }
   }
-  this->EmittersTime = lights.GetContentTime();
+  this->LightsTime = lights.GetContentTime();
+  this->LightsAreNew = true;
   this->WithDirections = lights.HasDirections();
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectVisibility::UpdateMaps(const Input& input)
+void vtkIndirectVisibility::RequestMaps(const Input& input)
 {
   const vtkIndirectVirtualLights* lights = input.Lights;
   const size_t count = lights ? static_cast<size_t>(lights->GetNumberOfLights()) : 0;
   if (count == 0)
   {
     this->Current.Maps = false;
-    return true;
+    return;
   }
-  const bool changed =
-    this->EmittersTime != lights->GetContentTime() || this->Lights.size() != count;
-  if (changed)
+  if (this->LightsTime != lights->GetContentTime() || this->Lights.size() != count)
   {
-    this->ReadEmitters(*lights);
+    this->ReadLights(*lights);
   }
-  const size_t drawn = this->Maps.GetNumberOfTilesDrawn();
-  if (!this->Maps.Update(input.Frame, input.Capture, this->Emitters, TexelsOfLights, input.Caching,
-        input.TilesPerFrame))
+  this->DepthMaps.Request(
+    vtkIndirectDepthMaps::VIRTUAL_LIGHTS, input.Frame, this->Maps, TexelsOfLights);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectVisibility::UpdateSharing(const vtkIndirectFrame& frame)
+{
+  if (!this->LooksUpMaps())
   {
-    return false;
+    return;
   }
   const bool shared = this->Shares;
-  this->Shares = this->Stride > 1 || this->Maps.GetNumberOfMissingTiles() > 0;
+  this->Shares = this->Stride > 1 || this->Atlas.GetNumberOfMissingTiles() > 0;
   if (!this->Shares && this->Owners)
   {
-    this->Owners->ReleaseGraphicsResources(input.Frame.Window);
+    this->Owners->ReleaseGraphicsResources(frame.Window);
     this->Owners = nullptr;
   }
-  if (this->Shares && (changed || !shared || this->Maps.GetNumberOfTilesDrawn() != drawn))
+  if (this->Shares && (this->LightsAreNew || !shared || this->Atlas.HasChanged()))
   {
-    this->ShareTiles(input.Frame);
+    this->ShareTiles(frame);
   }
-  return true;
+  this->LightsAreNew = false;
 }
 
 //------------------------------------------------------------------------------
@@ -204,9 +213,9 @@ bool vtkIndirectVisibility::UpdateMaps(const Input& input)
 void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
 {
   std::vector<int> there;
-  for (size_t k = 0; k < this->Emitters.size(); ++k)
+  for (size_t k = 0; k < this->Maps.size(); ++k)
   {
-    if (this->Maps.HasTile(k))
+    if (this->Atlas.HasTile(k))
     {
       there.push_back(static_cast<int>(k));
     }
@@ -221,14 +230,14 @@ void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
     const vtkIndirectDepthTile& light = this->Lights[i].Tile;
     double best = 0.0;
     int owner = -1;
-    const bool own = i % this->Stride == 0 && this->Maps.HasTile(i / this->Stride);
+    const bool own = i % this->Stride == 0 && this->Atlas.HasTile(i / this->Stride);
     if (own)
     {
       owner = static_cast<int>(i / this->Stride);
     }
     for (size_t k = 0; !own && this->Lights[i].Sends && k < there.size(); ++k)
     {
-      const vtkIndirectDepthTile& other = this->Emitters[static_cast<size_t>(there[k])].Tile;
+      const vtkIndirectDepthTile& other = this->Maps[static_cast<size_t>(there[k])].Tile;
       const glm::dvec3 apart = other.Place - light.Place;
       const double turned = DistanceOfTurn * (1.0 - glm::dot(other.Forward, light.Forward));
       const double distance = glm::dot(apart, apart) + turned * turned;
@@ -239,7 +248,7 @@ void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
       }
     }
     const vtkIndirectDepthTile& tile =
-      owner < 0 ? light : this->Emitters[static_cast<size_t>(owner)].Tile;
+      owner < 0 ? light : this->Maps[static_cast<size_t>(owner)].Tile;
     float* place = &owners[4 * i];
     float* axis = &owners[4 * (width * rows + i)];
     for (int c = 0; c < 3; ++c)
@@ -340,7 +349,7 @@ void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
 {
   if (this->LooksUpMaps())
   {
-    this->Maps.Activate(program);
+    this->Atlas.Activate(program);
     if (this->Shares)
     {
       this->Owners->Activate();
@@ -363,7 +372,7 @@ void vtkIndirectVisibility::Deactivate() const
 {
   if (this->LooksUpMaps())
   {
-    this->Maps.Deactivate();
+    this->Atlas.Deactivate();
     if (this->Shares)
     {
       this->Owners->Deactivate();
@@ -388,30 +397,20 @@ void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
   const char* const name = "visibility between sender and receiver";
   if (this->LooksUpMaps())
   {
-    const int there = this->Maps.GetNumberOfTiles() - this->Maps.GetNumberOfMissingTiles();
+    const int there = this->Atlas.GetNumberOfTiles() - this->Atlas.GetNumberOfMissingTiles();
     report.Modelled.emplace_back(name,
       "depth maps of " + std::to_string(there) + " of " + std::to_string(this->Lights.size()) +
-        " virtual lights, " + std::to_string(this->Maps.GetTexels()) + " texels squared");
-    if (this->Shares)
+        " virtual lights, " + std::to_string(this->Atlas.GetTexels()) + " texels squared");
+    if (this->Stride > 1)
     {
       report.LeftOut.emplace_back("depth maps of all virtual lights",
-        this->Maps.GetNumberOfMissingTiles() > 0
-          ? "further frames draw them; until then lights share those of their neighbours"
-          : "there is memory for " + std::to_string(MaximumNumberOfTiles) +
-            "; others share those of their neighbours");
+        "there is memory for " + std::to_string(MaximumNumberOfTiles) +
+          "; others share those of their neighbours");
     }
     if (this->WithDirections)
     {
       report.LeftOut.emplace_back(
         "what hides directions", "depth maps are of places; voxels would be looked up");
-    }
-    if (this->Maps.GetNumberOfStaleTiles() > this->Maps.GetNumberOfMissingTiles())
-    {
-      report.LeftOut.emplace_back("what has just moved, in " +
-          std::to_string(
-            this->Maps.GetNumberOfStaleTiles() - this->Maps.GetNumberOfMissingTiles()) +
-          " depth maps",
-        "further frames draw them again");
     }
     return;
   }
@@ -484,7 +483,7 @@ void vtkIndirectVisibility::AddSegmentsToReport(vtkIndirectReport& report, const
 //------------------------------------------------------------------------------
 size_t vtkIndirectVisibility::GetBytes() const
 {
-  return this->Volume->GetBytes() + this->Spheres.GetBytes() + this->Maps.GetBytes();
+  return this->Volume->GetBytes() + this->Spheres.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -499,11 +498,11 @@ void vtkIndirectVisibility::Release(vtkWindow* window)
 {
   this->Volume->Release(window);
   this->Spheres.Release(window);
-  this->Maps.Release(window);
+  this->DepthMaps.Release(vtkIndirectDepthMaps::VIRTUAL_LIGHTS, window);
   if (this->Owners)
   {
     this->Owners->ReleaseGraphicsResources(window);
     this->Owners = nullptr;
   }
-  this->EmittersTime = 0;
+  this->LightsTime = 0;
 }

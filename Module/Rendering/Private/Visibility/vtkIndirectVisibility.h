@@ -7,7 +7,7 @@
 
 #include "Frame/vtkIndirectEstimate.h"             // for the needs
 #include "Visibility/vtkIndirectBlockingSpheres.h" // for the input
-#include "Visibility/vtkIndirectDepthAtlas.h"      // for a member
+#include "Visibility/vtkIndirectDepthMaps.h"       // for depth maps
 #include "Visibility/vtkIndirectSphereGrid.h"      // for a member
 #include "vtkSmartPointer.h"                       // for a member
 
@@ -15,7 +15,7 @@
 #include <memory>  // for the volume
 #include <string>  // for reasons
 #include <utility> // for pairs
-#include <vector>  // for emitters
+#include <vector>  // for maps
 
 class vtkIndirectOccupancyVolume;
 class vtkIndirectSurfaces;
@@ -50,7 +50,7 @@ public:
     return this->WalksSegments() ? this->GetMaximumNumberOfSegments() : MaximumNumberOfSenders;
   }
 
-  vtkIndirectVisibility();
+  explicit vtkIndirectVisibility(vtkIndirectDepthMaps& maps);
   ~vtkIndirectVisibility();
 
   /** The data that visibility is made from. */
@@ -58,9 +58,7 @@ public:
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectVirtualLights* Lights; // null where the frame has none
-    vtkSurfaceCapturePass* Capture;
     bool Caching;
-    int TilesPerFrame; // depth maps of lights to draw at most
     /** The scene's surfaces, up to date where they are needed. */
     const vtkIndirectSurfaces& Surfaces;
     /** Spheres that mappers draw, which voxels do not hold; may be null. */
@@ -68,23 +66,20 @@ public:
   };
 
   /**
-   * Brings visibility up to date; without caching it is made anew. Releases what is not needed.
-   * Returns false, after an error, when OpenGL refuses.
+   * Brings visibility up to date, and asks for depth maps; without caching visibility is made anew.
+   * Releases data that are not needed.
    */
-  bool Update(const Input& input, const Needs& needs);
+  void Update(const Input& input, const Needs& needs);
+  /** Lets lights without a map share maps, after maps have been drawn. */
+  void UpdateSharing(const vtkIndirectFrame& frame);
 
   /** True if senders can be hidden: visibility is wanted, and something can hide them. */
   bool HidesSenders() const { return this->WalksSegments() || this->LooksUpMaps(); }
   /** True if shaders walk segments, which limits the number of senders in a draw. */
   bool WalksSegments() const;
   bool LooksUpMaps() const { return this->Current.Senders && this->Current.Maps; }
-  /** True if all maps that fit are drawn and up to date. */
-  bool IsComplete() const { return this->GetNumberOfTilesLeft() == 0; }
-  /** Returns the number of maps that further frames will draw. */
-  int GetNumberOfTilesLeft() const
-  {
-    return this->LooksUpMaps() ? this->Maps.GetNumberOfStaleTiles() : 0;
-  }
+  /** Returns the depth maps of virtual lights. */
+  const vtkIndirectDepthAtlas& GetMaps() const { return this->Atlas; }
   /** True if shaders walk through voxels, or through lists of spheres. */
   bool WalksVoxels() const;
   bool WalksSpheres() const;
@@ -114,11 +109,6 @@ public:
   size_t GetNumberOfSphereUpdates() const { return this->NumberOfSphereUpdates; }
   /** Grows when the voxels or the surfaces change: results derived from them are stale. */
   size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
-  /**
-   * Returns the depth maps of virtual lights drawn since construction: results from fewer maps are
-   * stale.
-   */
-  size_t GetNumberOfTilesDrawn() const { return this->Maps.GetNumberOfTilesDrawn(); }
 
   void AddToReport(vtkIndirectReport& report) const;
   size_t GetBytes() const;
@@ -130,8 +120,8 @@ private:
   double FindRounds() const;
   bool TakesLongSteps() const;
   void AddSegmentsToReport(vtkIndirectReport& report, const char* name) const;
-  void ReadEmitters(const vtkIndirectVirtualLights& lights);
-  bool UpdateMaps(const Input& input);
+  void ReadLights(const vtkIndirectVirtualLights& lights);
+  void RequestMaps(const Input& input);
   void ShareTiles(const vtkIndirectFrame& frame);
 
   Needs Current;
@@ -145,13 +135,14 @@ private:
   size_t NumberOfSphereUpdates = 0;
   double StepsOfSpheres = 0.0; // of a segment, in the mean
   bool SpheresAreTooMany = false;
-  // Depth maps of virtual lights, a tile each for as many as the memory allows.
-  vtkIndirectDepthAtlas Maps{ true };
-  std::vector<vtkIndirectDepthAtlas::Emitter> Lights;   // all lights
-  std::vector<vtkIndirectDepthAtlas::Emitter> Emitters; // lights with a tile
-  size_t Stride = 1;             // step from one light with a tile to the next
-  vtkMTimeType EmittersTime = 0; // time of the lights that they were read from
-  bool WithDirections = false;   // true if directions are among them
+  vtkIndirectDepthMaps& DepthMaps;
+  const vtkIndirectDepthAtlas& Atlas;            // maps as they were drawn
+  std::vector<vtkIndirectDepthMaps::Map> Lights; // maps of all lights
+  std::vector<vtkIndirectDepthMaps::Map> Maps;   // maps that have a place in the atlas
+  size_t Stride = 1;                             // step from one of their lights to the next
+  vtkMTimeType LightsTime = 0;                   // time at which the lights were read
+  bool LightsAreNew = false;                     // the lights were read since UpdateSharing
+  bool WithDirections = false;                   // some lights are directions
   // With fewer tiles than lights: the owner of the tile that each light looks up.
   bool Shares = false;
   vtkSmartPointer<vtkTextureObject> Owners;
