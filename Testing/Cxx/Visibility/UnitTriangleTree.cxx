@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Segments against all triangles of a scene: the tree agrees with a loop over them, edges and
 // corners are watertight, and surfaces do not hide their own light.
-#include "Visibility/vtkIndirectSightLines.h"
+#include "vtkIndirectSightLines.h"
 #include "Visibility/vtkIndirectTriangleTree.h"
 #include "vtkIndirectTestUtilities.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Visibility/vtkIndirectSightLines.h"
+#include "vtkIndirectSightLines.h"
 
 #include "Visibility/vtkIndirectTriangleTree.h"
 
