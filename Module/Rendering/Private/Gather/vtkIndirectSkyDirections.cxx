@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace
 {
@@ -138,11 +139,8 @@ void vtkIndirectSkyDirections::FindOthers(int count)
     this->Others = known->second;
     return;
   }
-  std::vector<size_t> numbers;
-  for (int i = 0; i < count; ++i)
-  {
-    numbers.push_back(static_cast<size_t>(i));
-  }
+  std::vector<size_t> numbers(static_cast<size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), size_t(0));
   this->Others = this->Share(numbers);
   this->Known[count] = this->Others;
 }
