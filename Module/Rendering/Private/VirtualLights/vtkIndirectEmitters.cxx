@@ -16,7 +16,6 @@ namespace
 // Numbers of pieces start here: there are fewer directions of the sky.
 constexpr int FirstPiece = 1024;
 constexpr int MostPiecesPerEdge = 2;
-constexpr size_t MostPieces = vtkIndirectEmitters::MostPieces;
 
 glm::dvec3 ToVector(const double v[3])
 {
