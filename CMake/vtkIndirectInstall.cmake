@@ -18,12 +18,6 @@ list(TRANSFORM vtk_indirect_vtk_components REPLACE "^VTK::" "")
 list(SORT vtk_indirect_vtk_components)
 list(JOIN vtk_indirect_vtk_components " " vtk_indirect_vtk_components)
 
-set(vtk_indirect_python_dir)
-if (VTK_INDIRECT_WRAP_PYTHON)
-  set(vtk_indirect_python_dir
-    "${CMAKE_INSTALL_LIBDIR}/python${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}/site-packages")
-endif ()
-
 configure_package_config_file(
   "${CMAKE_CURRENT_SOURCE_DIR}/CMake/vtkIndirectConfig.cmake.in"
   "${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/vtkIndirectConfig.cmake"

@@ -18,6 +18,7 @@ vtk_module_test_executable(TestPassContract
 target_link_libraries(TestPassContract
   PRIVATE
     VTK::IndirectHeadless
+    VTK::IndirectOracle
     nlohmann_json::nlohmann_json
     # The loader through which VTK calls OpenGL: one of the two, by VTK's version.
     $<TARGET_NAME_IF_EXISTS:VTK::glew>

@@ -36,6 +36,12 @@ foreach (text IN LISTS texts)
   endforeach ()
 endforeach ()
 
+# The tests' oracle is not a part of the product.
+file(GLOB_RECURSE oracle "${prefix}/*Oracle*" "${prefix}/*Reference*")
+if (oracle)
+  message(FATAL_ERROR "${oracle} is installed")
+endif ()
+
 run("configure the examples" "${CMAKE_COMMAND}"
   -S "${SOURCE_DIR}/Examples/Cxx" -B "${WORK_DIR}/examples" -G "${GENERATOR}" -Werror=dev
   "-DCMAKE_BUILD_TYPE=${BUILD_TYPE}"
@@ -76,7 +82,12 @@ import os, vtkindirect
 from vtkindirect.vtkRenderingIndirect import vtkIndirectIlluminationPass
 assert os.path.samefile(os.path.dirname(vtkindirect.__path__[0]), r'${prefix}/${PYTHON_PATH}')
 print(vtkIndirectIlluminationPass().GetClassName())
-vtkindirect.load_scene(r'${prefix}/share/vtkindirect/Scenes/protein.json')
+scene = vtkindirect.load_scene(r'${prefix}/share/vtkindirect/Scenes/protein.json')
+try:
+    vtkindirect.enable(scene.renderer, 'reference')
+    raise SystemExit('the oracle is there')
+except vtkindirect.UsageError as error:
+    assert 'built with them and not installed' in str(error), error
 ")
   if (EXISTS "${BUILD_DIR}/bin/vtk-indirect")
     require_file("${prefix}/bin/vtk-indirect")

@@ -243,6 +243,16 @@ class Command(DirectoryTest):
             float(lines[4][-2]), float(rows["gather NumberOfLights=1024"]["nrmse_r1"]), places=3
         )
 
+    def test_without_the_oracle_r1_is_left_out(self) -> None:
+        path = self.write("sweep.json", sweep_of({"method": "gather"}, {"method": "reference"}))
+        with mock.patch.object(wrapped, "_oracle", return_value={}):
+            rows = self.compare("--sweep", path, "--size", "96x72")
+        why = "vtkRSMReferencePass is the oracle of the tests, which is built with them"
+        self.assertEqual([why in row["error"] for row in rows], [False, False, True])
+        self.assertGreater(float(rows[1]["frame_ms"]), 0.0)
+        self.assertNotIn("nrmse_r1", rows[1])
+        self.assertIn("left out: R1, because vtkRSMReferencePass is the oracle", self.said)
+
     @unittest.skipUnless(wrapped.has("vtkOpenEXRWriter"), "vtkIndirectOpenEXR was not built")
     def test_reference_is_a_file_or_its_directory(self) -> None:
         image = vtkImageData()

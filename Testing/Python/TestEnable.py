@@ -4,6 +4,7 @@
 import gc
 import types
 import unittest
+from unittest import mock
 
 from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer, vtkRenderWindow
 from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
@@ -23,6 +24,20 @@ class Methods(unittest.TestCase):
             with self.subTest(name=name), self.assertRaises(UsageError) as caught:
                 vtkindirect.enable(vtkRenderer(), name)
             self.assertEqual(str(caught.exception), f"method '{name}' is not built in this version")
+
+    def test_the_oracle_where_it_is_not_built(self) -> None:
+        with mock.patch.object(wrapped, "_oracle", return_value={}):
+            with self.assertRaises(UsageError) as caught:
+                vtkindirect.enable(vtkRenderer(), "reference")
+            self.assertEqual(
+                str(caught.exception),
+                "method 'reference' is not built in this version: vtkRSMReferencePass is the "
+                "oracle of the tests, which is built with them and not installed",
+            )
+            with self.assertRaisesRegex(ImportError, "is the oracle of the tests"):
+                getattr(vtkindirect, wrapped.ORACLE)
+        self.assertIs(getattr(vtkindirect, wrapped.ORACLE), wrapped.get(wrapped.ORACLE))
+        self.assertNotIn(wrapped.ORACLE, vtkindirect.__all__)
 
     def test_unknown(self) -> None:
         with self.assertRaisesRegex(UsageError, r"unknown method 'gahter' \(did you mean 'gather'"):

@@ -44,7 +44,6 @@ PUBLIC = {
     "vtkUniformLightSampler": "VirtualLights",
     "vtkRandomWalkLightSampler": "Visibility",
     "vtkRSMGatherPass": "Gather",
-    "vtkRSMReferencePass": "Gather",
     "vtkIndirectSplattingPass": "Splatting",
     "vtkMultiresolutionSplattingPass": "Multiresolution",
     "vtkRadianceHintsPass": "RadianceHints",
@@ -56,7 +55,6 @@ PUBLIC = {
 # The base class of estimators is in no room; these derive from it or call it.
 MAY_NAME_ESTIMATORS = {
     "vtkRSMGatherPass",
-    "vtkRSMReferencePass",
     "vtkIndirectSplattingPass",
     "vtkMultiresolutionSplattingPass",
     "vtkRadianceHintsPass",

@@ -68,7 +68,7 @@ std::string vtkEGLContext::Create(int deviceIndex)
   const std::vector<vtkEGLPlatform> platforms = vtkEGLPlatform::ListCandidates(deviceIndex);
   for (const vtkEGLPlatform& platform : platforms)
   {
-    const std::string reason = this->CreateOn(platform);
+    std::string reason = this->CreateOn(platform);
     if (reason == BlockedReason)
     {
       return reason;

@@ -256,7 +256,7 @@ std::string FindLibrary(const Tree& tree, const std::vector<std::string>& folder
   {
     for (const std::string& folder : tree.Expand(pattern))
     {
-      const std::string path = folder + "/" + NvidiaLibraryName;
+      std::string path = folder + "/" + NvidiaLibraryName;
       if (tree.Has(path))
       {
         return path;

@@ -7,6 +7,7 @@
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkIndirectTestUtilities.h"
+#include "vtkIndirectVoxelLines.h"
 #include "vtkIndirectVoxelPatch.h"
 
 #include "vtkActor.h"
@@ -49,7 +50,8 @@ int CountLeaks(vtkIndirectOccupancyVolume& volume, const glm::dvec3& normal, dou
     ++tested;
     const glm::vec3 start(volume.ToVoxels(ends[0]));
     const glm::vec3 end(volume.ToVoxels(ends[1]));
-    leaks += volume.IsFree(start, end) || volume.GetDistanceField().IsFree(start, end);
+    leaks += volume.IsFree(start, end) ||
+      vtkIndirectVoxelLines(volume.GetDistanceField()).IsFree(start, end);
   }
   return leaks;
 }
@@ -182,7 +184,7 @@ VTK_INDIRECT_TEST(OccupancyFree)
     const glm::dvec3 a = volume.ToVoxels({ random.Next(), random.Next(), random.Next() });
     const glm::dvec3 b = volume.ToVoxels({ random.Next(), random.Next(), random.Next() });
     const bool free[2] = { volume.IsFree(glm::vec3(a), glm::vec3(b)),
-      volume.GetDistanceField().IsFree(glm::vec3(a), glm::vec3(b)) };
+      vtkIndirectVoxelLines(volume.GetDistanceField()).IsFree(glm::vec3(a), glm::vec3(b)) };
     bool met = false;
     bool deep = false; // met by more than rounding
     bool near = false; // an occupied voxel is within rounding
@@ -278,8 +280,8 @@ VTK_INDIRECT_TEST(OccupancyClearance)
   volume.Clear(glm::dvec3(0.0), glm::dvec3(1.0), 16);
   CheckEqual("distance in an empty volume", volume.GetDistanceField().Get({ 3, 4, 5 }), 255);
   const glm::vec3 outside(-3.0f, 4.5f, 20.0f);
-  Check(
-    "a segment from outside to outside ends", volume.GetDistanceField().IsFree(outside, -outside));
+  Check("a segment from outside to outside ends",
+    vtkIndirectVoxelLines(volume.GetDistanceField()).IsFree(outside, -outside));
 }
 
 VTK_INDIRECT_TEST(OccupancyAlbedo)

@@ -6,6 +6,7 @@
 #include "Visibility/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectTriangleTree.h"
 #include "vtkIndirectTestUtilities.h"
+#include "vtkIndirectVoxelLines.h"
 
 #include "vtkMath.h"
 
@@ -262,7 +263,7 @@ VTK_INDIRECT_TEST(SphereBlockersBesideVoxels)
     AddSphere(volume, sphere);
   }
   volume.Finish();
-  const vtkIndirectDistanceField& field = volume.GetDistanceField();
+  const vtkIndirectVoxelLines field(volume.GetDistanceField());
   vtkIndirectSphereGrid grid;
   grid.Build(spheres);
   auto pick = [&](glm::dvec3& place, glm::dvec3& normal)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Segments against all triangles of a scene: the tree agrees with a loop over them, edges and
 // corners are watertight, and surfaces do not hide their own light.
-#include "Visibility/vtkIndirectSightLines.h"
 #include "Visibility/vtkIndirectTriangleTree.h"
+#include "vtkIndirectSightLines.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include <algorithm>
@@ -288,8 +288,9 @@ VTK_INDIRECT_TEST(TreeOddTriangles)
   vtkIndirectTriangleTree tree;
   tree.Finish();
   Check("an empty tree blocks nothing", !tree.IsBlocked({ 0, 0, 0 }, { 1, 1, 1 }));
-  vtkIndirectTriangleTree::Facet facet;
-  Check("and has no facets", !tree.FindFacet({ 0, 0, 0 }, { 0, 0, 1 }, 1e300, facet));
+  vtkIndirectSightLines::Facet facet;
+  Check("and has no facets",
+    !vtkIndirectSightLines::FindFacet(tree, { 0, 0, 0 }, { 0, 0, 1 }, 1e300, facet));
 
   const Corners odd[] = { { glm::dvec3(0.5), glm::dvec3(0.5), glm::dvec3(0.5) },
     { glm::dvec3(0, 0, 0.5), glm::dvec3(1, 1, 0.5), glm::dvec3(0.25, 0.25, 0.5) },
@@ -361,9 +362,10 @@ VTK_INDIRECT_TEST(TreeFacets)
       const double b = random.Next(0.2, 0.4);
       const glm::dvec3 point =
         v[0] + a * (v[1] - v[0]) + b * (v[2] - v[0]) + height * side * normal;
-      vtkIndirectTriangleTree::Facet facet;
+      vtkIndirectSightLines::Facet facet;
       // The shading normal is the ball's own.
-      const bool found = tree.FindFacet(point, side * glm::normalize(point), 2e-4, facet);
+      const bool found =
+        vtkIndirectSightLines::FindFacet(tree, point, side * glm::normalize(point), 2e-4, facet);
       const double outwards = glm::dot(normal, v[0]) > 0.0 ? 1.0 : -1.0;
       wrong += !found || glm::length(facet.Normal - side * outwards * normal) > 1e-9 ||
         std::abs(facet.Height - outwards * height) > 1e-12 ||
@@ -372,8 +374,9 @@ VTK_INDIRECT_TEST(TreeFacets)
     }
   }
   CheckEqual("points led to another plane, of " + std::to_string(tested), wrong, 0);
-  vtkIndirectTriangleTree::Facet facet;
-  Check("out of reach there is none", !tree.FindFacet({ 0, 0, 0.99 }, { 0, 0, 1 }, 2e-4, facet));
+  vtkIndirectSightLines::Facet facet;
+  Check("out of reach there is none",
+    !vtkIndirectSightLines::FindFacet(tree, { 0, 0, 0.99 }, { 0, 0, 1 }, 2e-4, facet));
   // At an edge of walls the normal decides.
   Fill(tree, MakeCube(1));
   for (int axis = 0; axis < 3; ++axis)
@@ -381,7 +384,8 @@ VTK_INDIRECT_TEST(TreeFacets)
     glm::dvec3 normal(0.0);
     normal[axis] = 1.0;
     Check("at a corner, wall " + std::to_string(axis),
-      tree.FindFacet(glm::dvec3(-1.0 + 1e-7), normal, 2e-4, facet) && facet.Normal == normal);
+      vtkIndirectSightLines::FindFacet(tree, glm::dvec3(-1.0 + 1e-7), normal, 2e-4, facet) &&
+        facet.Normal == normal);
   }
 }
 

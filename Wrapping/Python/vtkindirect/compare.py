@@ -23,7 +23,17 @@ from typing import Any
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkVersion
 
-from vtkindirect import console, frames, images, lighting, locations, methods, references, sweep
+from vtkindirect import (
+    console,
+    frames,
+    images,
+    lighting,
+    locations,
+    methods,
+    references,
+    sweep,
+    wrapped,
+)
 from vtkindirect.errors import IndirectError, UsageError
 from vtkindirect.frames import Job
 from vtkindirect.metrics import MetricError
@@ -148,6 +158,8 @@ class Run:
         elif not references.has_r1(scene):
             whole = "A3 knows area lights" if scene.area_lights else "S3 knows the sky"
             self.missing["R1, R2 and R3"] = f"they know VTK's lights only, {whole} as well"
+        elif not wrapped.has(wrapped.ORACLE):
+            self.missing["R1"] = str(wrapped.explain(wrapped.ORACLE))
         self.common: Result = {
             "schema": SCHEMA,
             "scene": scene.name,
@@ -363,7 +375,6 @@ def _stored(arguments: argparse.Namespace) -> Path | None:
 
 def check_inputs(arguments: argparse.Namespace) -> tuple[Path, Path | None]:
     """Return where results go and where stored references are; raises before any work is done."""
-    methods.check_method("reference")
     for name in arguments.scenes:
         if Path(name).suffix.lower() != ".json":
             raise UsageError(f"{name}: a comparison needs a scene file (.json)")

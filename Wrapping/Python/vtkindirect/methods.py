@@ -70,7 +70,8 @@ def _class_or_error(class_name: str, kind: str, name: str) -> Any:
     if not wrapped.has("vtkIndirectIlluminationPass"):
         wrapped.get("vtkIndirectIlluminationPass")  # raises and says why
     if not wrapped.has(class_name):
-        raise UsageError(f"{kind} '{name}' is not built in this version")
+        why = wrapped.explain(class_name)
+        raise UsageError(f"{kind} '{name}' is not built in this version{f': {why}' if why else ''}")
     return wrapped.get(class_name)
 
 

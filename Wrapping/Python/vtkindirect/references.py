@@ -2,7 +2,7 @@
 """The images that errors are measured against.
 
 * R1: every texel of 256 x 256 maps summed in double precision, nothing between sender and receiver.
-  Computed on the spot by vtkRSMReferencePass.
+  Computed on the spot by vtkRSMReferencePass, in a build of the project with its tests.
 * R2: one diffuse bounce with true visibility, R3: all bounces; path traced beforehand and stored as
   layers of ``<scene>.exr`` (irradiance in VTK's units, albedo divided out).
 * S1: what comes directly from the sky, which is the buffer ``sky``, S3: that and all bounces of sky
@@ -204,7 +204,7 @@ def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> Referen
 
     `stored` is the EXR file with the stored ones, or None.
     """
-    first = {"R1": r1(scene)} if has_r1(scene) else {}
+    first = {"R1": r1(scene)} if has_r1(scene) and wrapped.has(wrapped.ORACLE) else {}
     methods.enable(scene.renderer, "gather", lighting="scene", NumberOfLights=1)
     try:
         scene.render_window.Render()

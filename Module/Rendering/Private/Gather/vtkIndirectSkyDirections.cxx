@@ -10,6 +10,7 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <iterator>
+#include <numeric>
 
 namespace
 {
@@ -134,11 +135,8 @@ void vtkIndirectSkyDirections::FindOthers(int count)
     this->Others = known->second;
     return;
   }
-  std::vector<size_t> numbers;
-  for (int i = 0; i < count; ++i)
-  {
-    numbers.push_back(static_cast<size_t>(i));
-  }
+  std::vector<size_t> numbers(static_cast<size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), size_t(0));
   this->Others = this->Share(numbers);
   this->Known[count] = this->Others;
 }

@@ -17,7 +17,6 @@ namespace
 // Numbers of pieces start here: there are fewer directions of the sky.
 constexpr int FirstPiece = 1024;
 constexpr int MostPiecesPerEdge = 2;
-constexpr size_t MostPieces = vtkIndirectEmitters::MostPieces;
 
 // Number of directions that may become groups of their own. vtkIndirectSkyGather sums over as many,
 // so that the light of a sun is reflected at the place where it falls.

@@ -262,7 +262,7 @@ vtkIndirectDepthTile::Strip vtkIndirectCasterWindow::ToWindow(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCasterWindow::Fit(std::vector<vtkIndirectDepthTile*> tiles) const
+void vtkIndirectCasterWindow::Fit(const std::vector<vtkIndirectDepthTile*>& tiles) const
 {
   const double limit = vtkIndirectKernels::VTKI_WINDOW_TANGENT;
   const double nearPlane = vtkIndirectKernels::VTKI_WINDOW_NEAR;

@@ -31,7 +31,7 @@ public:
    * Each tile gets its own view ahead; strips and depths are shared by all tiles. Depths begin at
    * these casters and end behind all casters.
    */
-  void Fit(std::vector<vtkIndirectDepthTile*> tiles) const;
+  void Fit(const std::vector<vtkIndirectDepthTile*>& tiles) const;
 
   /**
    * Returns true if a prop is a polygonal mesh of few points that is flat, or closed and convex:

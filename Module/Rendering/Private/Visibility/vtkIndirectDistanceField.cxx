@@ -123,57 +123,6 @@ void vtkIndirectDistanceField::Build(const vtkIndirectOccupancyVolume& volume)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectDistanceField::IsFree(const glm::vec3& start, const glm::vec3& end) const
-{
-  vtkIndirectKernels::vtkiLeap leap = vtkIndirectKernels::vtkiBeginLeap(start, end);
-  bool more = vtkIndirectKernels::vtkiLeapOn(leap, 1) && leap.voxel != leap.last;
-  while (more)
-  {
-    const glm::ivec3 at = glm::clamp(leap.voxel, glm::ivec3(0), this->Size - 1);
-    const int freeVoxels = this->Get(at);
-    if (freeVoxels == 0 && at == leap.voxel)
-    {
-      return false;
-    }
-    more = vtkIndirectKernels::vtkiLeapOn(leap, std::max(freeVoxels, 1)) && leap.voxel != leap.last;
-  }
-  return true;
-}
-
-//------------------------------------------------------------------------------
-vtkIndirectDistanceField::End vtkIndirectDistanceField::FindEnd(
-  const glm::vec3& position, const glm::vec3& normal) const
-{
-  auto isEmpty = [this](const glm::vec3& place)
-  {
-    const glm::ivec3 voxel(glm::floor(place));
-    const glm::ivec3 at = glm::clamp(voxel, glm::ivec3(0), this->Size - 1);
-    return this->Get(at) > 0 || at != voxel;
-  };
-  const glm::vec3 voxels = (position - this->Origin) * this->VoxelsPerUnit;
-  const glm::vec3 place = voxels + vtkIndirectKernels::vtkiClearHeight(normal) * normal;
-  for (int i = 0; i < vtkIndirectKernels::VTKI_ASIDE && !isEmpty(place); ++i)
-  {
-    const glm::vec3 aside = place + vtkIndirectKernels::vtkiAside(i, normal);
-    if (isEmpty(aside))
-    {
-      return { voxels, normal, aside };
-    }
-  }
-  return { voxels, normal, place };
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectDistanceField::IsVisible(const End& receiver, const End& sender) const
-{
-  using namespace vtkIndirectKernels;
-  return this->IsFree(vtkiClearOf(receiver.Open, receiver.Normal, sender.Position, sender.Normal,
-                        vtkiClearHeight(sender.Normal)),
-    vtkiClearOf(sender.Open, sender.Normal, receiver.Position, receiver.Normal,
-      vtkiClearHeight(receiver.Normal)));
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectDistanceField::Activate(
   vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
 {

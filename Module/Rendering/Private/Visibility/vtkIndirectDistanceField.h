@@ -31,29 +31,11 @@ public:
       static_cast<size_t>(this->Size.x) * (voxel.y + static_cast<size_t>(this->Size.y) * voxel.z)];
   }
 
-  /**
-   * Returns true if a segment (voxel coordinates) meets no occupied voxel except those of its ends.
-   */
-  bool IsFree(const glm::vec3& start, const glm::vec3& end) const;
-  /** An end of a segment: a place on a surface. */
-  struct End
+  const glm::ivec3& GetSize() const { return this->Size; }
+  glm::vec3 ToVoxels(const glm::vec3& position) const
   {
-    glm::vec3 Position; // voxels
-    glm::vec3 Normal;
-    glm::vec3 Open; // place nearby where no voxel of its own surface blocks; see FindEnd
-  };
-
-  /**
-   * Makes an end from a position in scene units and a unit normal. Its open place lies above the
-   * surface's own voxels and, if another surface occupies that place, beside the voxels of that
-   * surface where possible.
-   */
-  End FindEnd(const glm::vec3& position, const glm::vec3& normal) const;
-  /**
-   * Returns true if nothing blocks the segment between two places that face each other; the voxels
-   * of their own planes do not count.
-   */
-  bool IsVisible(const End& receiver, const End& sender) const;
+    return (position - this->Origin) * this->VoxelsPerUnit;
+  }
 
   /** Binds the distances for vtkIndirectVisibility.glsl; pair with Deactivate. */
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;

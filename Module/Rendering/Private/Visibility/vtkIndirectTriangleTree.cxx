@@ -16,31 +16,6 @@ namespace
 // steps of the boxes' test, moves a face by less than 2^-21 of both. So small triangles have small
 // boxes near the origin, however far other triangles reach.
 constexpr double Padding = 1.0 / (1 << 20);
-
-// Finds the point of a triangle that is nearest to p, by the regions of its corners, edges and
-// inside.
-glm::dvec3 FindNearestPoint(const glm::dvec3 v[3], const glm::dvec3& p)
-{
-  const glm::dvec3 normal = glm::cross(v[1] - v[0], v[2] - v[0]);
-  glm::dvec3 nearest = v[0];
-  double least = std::numeric_limits<double>::infinity();
-  bool inside = true;
-  for (int i = 0; i < 3; ++i)
-  {
-    const glm::dvec3 edge = v[(i + 1) % 3] - v[i];
-    const glm::dvec3 offset = p - v[i];
-    inside = inside && glm::dot(glm::cross(edge, offset), normal) >= 0.0;
-    const double t = glm::clamp(glm::dot(offset, edge) / glm::dot(edge, edge), 0.0, 1.0);
-    const glm::dvec3 q = v[i] + t * edge;
-    const double distance2 = glm::dot(p - q, p - q);
-    if (distance2 < least)
-    {
-      least = distance2;
-      nearest = q;
-    }
-  }
-  return inside ? p - glm::dot(p - v[0], normal) / glm::dot(normal, normal) * normal : nearest;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -506,10 +481,9 @@ bool vtkIndirectTriangleTree::FindNearest(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectTriangleTree::FindFacet(
-  const glm::dvec3& point, const glm::dvec3& normal, double reach, Facet& facet) const
+void vtkIndirectTriangleTree::ForEachNear(const glm::dvec3& point, double distance,
+  const std::function<void(const glm::dvec3 corners[3])>& call) const
 {
-  double least = std::numeric_limits<double>::infinity();
   const glm::dvec3 relative = point - this->Origin;
   uint32_t waiting[(Width - 1) * vtkIndirectBoxTree::Deepest] = { 0 };
   int count = this->Nodes.empty() ? 0 : 1;
@@ -525,7 +499,7 @@ bool vtkIndirectTriangleTree::FindFacet(
           relative[axis] - node.Bounds[1][axis][child], 0.0 });
         outside2 += outside * outside;
       }
-      if (!(outside2 <= reach * reach))
+      if (!(outside2 <= distance * distance))
       {
         continue;
       }
@@ -536,27 +510,11 @@ bool vtkIndirectTriangleTree::FindFacet(
       }
       for (uint32_t i = node.First[child]; i < node.First[child] + node.Count[child]; ++i)
       {
-        if (this->Triangles[i].IsSphere())
+        if (!this->Triangles[i].IsSphere())
         {
-          continue;
-        }
-        const glm::dvec3* v = this->Triangles[i].Corners;
-        const glm::dvec3 nearest = FindNearestPoint(v, point);
-        const double distance = glm::distance(point, nearest);
-        const glm::dvec3 n = glm::normalize(glm::cross(v[1] - v[0], v[2] - v[0]));
-        const double cosine = glm::dot(n, normal);
-        const double penalty = distance + reach * (1.0 - std::abs(cosine));
-        if (distance <= reach && penalty < least)
-        {
-          least = penalty;
-          facet.Normal = cosine < 0.0 ? -n : n;
-          facet.Height = glm::dot(point - v[0], facet.Normal);
-          facet.Distance = distance;
-          facet.Nearest = nearest;
-          facet.Centre = (v[0] + v[1] + v[2]) / 3.0;
+          call(this->Triangles[i].Corners);
         }
       }
     }
   }
-  return std::isfinite(least);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tree of boxes over triangles and spheres (vtkIndirectBoxTree). It says whether a segment is
-// blocked, which triangle or sphere a ray meets first, and which triangle a point lies on.
+// blocked, which triangle or sphere a ray meets first, and which triangles are near to a point.
 //
 // Corners are kept in double precision, as they were given. The test of a triangle is watertight
 // (Woop, Benthin, Wald 2013, "Watertight ray/triangle intersection"): edges that two triangles
@@ -12,22 +12,13 @@
 
 #include <cmath>       // for infinity
 #include <cstdint>     // for indices
+#include <functional>  // for visitors
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for triangles
 
 class vtkIndirectTriangleTree
 {
 public:
-  /** The plane of a triangle that a point lies on. */
-  struct Facet
-  {
-    glm::dvec3 Normal{ 0.0 };  // unit, on the side of the given normal
-    double Height = 0.0;       // height of the point over the plane, to that side
-    double Distance = 0.0;     // from the point to the triangle
-    glm::dvec3 Nearest{ 0.0 }; // point of the triangle
-    glm::dvec3 Centre{ 0.0 };  // centre of the triangle
-  };
-
   /** The place at which a ray first meets a triangle or a sphere. */
   struct Hit
   {
@@ -66,13 +57,9 @@ public:
   bool FindNearest(
     const glm::dvec3& start, const glm::dvec3& direction, uint32_t except, Hit& hit) const;
 
-  /**
-   * Finds the triangle that a point of this shading normal lies on: the nearest one within reach,
-   * where a right angle between its plane's normal and the given one counts as much as the reach.
-   * Returns false if no triangle is within reach.
-   */
-  bool FindFacet(
-    const glm::dvec3& point, const glm::dvec3& normal, double reach, Facet& facet) const;
+  /** Calls for each triangle whose box is within this distance of a point; spheres are left out. */
+  void ForEachNear(const glm::dvec3& point, double distance,
+    const std::function<void(const glm::dvec3 corners[3])>& call) const;
 
   size_t GetNumberOfTriangles() const { return this->Triangles.size() - this->NumberOfSpheres; }
   size_t GetNumberOfSpheres() const { return this->NumberOfSpheres; }

@@ -8,18 +8,18 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectStageTimer.h"
-#include "Gather/vtkIndirectReferenceLobe.h"
 #include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
-#include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
-#include "Visibility/vtkIndirectSightLines.h"
 #include "Visibility/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectSurfaces.h"
 #include "Visibility/vtkIndirectVisibility.h"
+#include "vtkIndirectReferenceLobe.h"
+#include "vtkIndirectSightLines.h"
+#include "vtkIndirectVoxelLines.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPTools.h"
 
@@ -184,18 +184,7 @@ void SumLobes(const std::vector<vtkIndirectReferenceLobe>& senders,
 
 // Several classes of the same form tell whether two points on surfaces see each other: a type End,
 // FindEnd(position, normal) and IsVisible(End, End). vtkIndirectSightLines tests the surfaces
-// themselves, VoxelLines the voxels.
-struct VoxelLines
-{
-  using End = vtkIndirectDistanceField::End;
-  const vtkIndirectDistanceField& Field;
-
-  End FindEnd(const glm::dvec3& position, const glm::dvec3& normal) const
-  {
-    return this->Field.FindEnd(glm::vec3(position), glm::vec3(normal));
-  }
-  bool IsVisible(const End& a, const End& b) const { return this->Field.IsVisible(a, b); }
-};
+// themselves, vtkIndirectVoxelLines the voxels.
 
 // SphereLines tests the lists of spheres, as shaders do.
 struct SphereLines
@@ -588,12 +577,12 @@ vtkIndirectEstimate ReferenceSum::Estimate(const Input& input)
   }
   else if (visibility.WalksVoxels() && visibility.WalksSpheres())
   {
-    const VoxelLines voxels{ visibility.GetVolume().GetDistanceField() };
-    sums.Make(BothLines<VoxelLines, SphereLines>{ voxels, spheres });
+    const vtkIndirectVoxelLines voxels{ visibility.GetVolume().GetDistanceField() };
+    sums.Make(BothLines<vtkIndirectVoxelLines, SphereLines>{ voxels, spheres });
   }
   else if (visibility.WalksVoxels())
   {
-    sums.Make(VoxelLines{ visibility.GetVolume().GetDistanceField() });
+    sums.Make(vtkIndirectVoxelLines(visibility.GetVolume().GetDistanceField()));
   }
   else if (visibility.WalksSpheres())
   {

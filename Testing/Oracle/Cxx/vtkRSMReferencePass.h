@@ -34,10 +34,10 @@
 #define vtkRSMReferencePass_h
 
 #include "vtkIndirectEstimatorPass.h"
-#include "vtkIndirectSettings.h"        // For properties
-#include "vtkRenderingIndirectModule.h" // For export macro
+#include "vtkIndirectOracleModule.h" // For export macro
+#include "vtkIndirectSettings.h"     // For properties
 
-class VTKRENDERINGINDIRECT_EXPORT vtkRSMReferencePass : public vtkIndirectEstimatorPass
+class VTKINDIRECTORACLE_EXPORT vtkRSMReferencePass : public vtkIndirectEstimatorPass
 {
 public:
   static vtkRSMReferencePass* New();

@@ -27,6 +27,16 @@ public:
    */
   static constexpr double Lift = 1e-5;
 
+  /** The plane of a triangle that a point lies on. */
+  struct Facet
+  {
+    glm::dvec3 Normal{ 0.0 };  // unit, on the side of the given normal
+    double Height = 0.0;       // height of the point over the plane, to that side
+    double Distance = 0.0;     // from the point to the triangle
+    glm::dvec3 Nearest{ 0.0 }; // point of the triangle
+    glm::dvec3 Centre{ 0.0 };  // centre of the triangle
+  };
+
   struct End
   {
     glm::dvec3 Position{ 0.0 }; // lifted
@@ -34,6 +44,14 @@ public:
                                 // triangle
     bool OnSurface = false;     // true if a triangle is within reach
   };
+
+  /**
+   * Finds the triangle that a point of this shading normal lies on: the nearest one within reach,
+   * where a right angle between its plane's normal and the given one counts as much as the reach.
+   * Returns false if no triangle is within reach.
+   */
+  static bool FindFacet(const vtkIndirectTriangleTree& tree, const glm::dvec3& point,
+    const glm::dvec3& normal, double reach, Facet& facet);
 
   /** Uses the tree and makes no copy. */
   explicit vtkIndirectSightLines(const vtkIndirectTriangleTree& tree)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gather/vtkIndirectReferenceLobe.h"
+#include "vtkIndirectReferenceLobe.h"
 
 #include "OpenGL/vtkIndirectTarget.h"
 #include "VirtualLights/vtkIndirectSampler.h"
