@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectGlossyGather.h"
 #include "Gather/vtkIndirectLobeGather.h"
@@ -50,6 +51,7 @@ public:
     , Set(pass)
   {
   }
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
     const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
@@ -74,6 +76,7 @@ private:
   vtkIndirectLobeGather Lobes;
   const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
     std::make_shared<vtkIndirectAllTexelsSampler>();
+  bool Interpolates = false; // in the last frame
   std::string
     WhatDiskLeaves; // light outside of the last frame's disks, in words; empty if there is none
 };
@@ -86,15 +89,15 @@ vtkRSMGatherPass::vtkRSMGatherPass()
 }
 
 //------------------------------------------------------------------------------
-void vtkRSMGatherPass::PrintSelf(ostream& os, vtkIndent indent)
+void GatherSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
-  this->Superclass::PrintSelf(os, indent);
   static const char* const names[] = { "AllTexels", "VirtualLights", "Neighborhood" };
-  os << indent << "Mode: " << names[this->Settings.Mode] << "\n";
-  os << indent << "NumberOfSamples: " << this->Settings.NumberOfSamples << "\n";
-  os << indent << "NeighborhoodRadius: " << this->Settings.NeighborhoodRadius << "\n";
-  os << indent << "Interpolation: " << (this->Settings.Interpolation ? "On" : "Off") << "\n";
-  os << indent << "InterpolationStep: " << this->Settings.InterpolationStep << "\n";
+  this->vtkIndirectSum::AddSettings(list, plan);
+  list.Add("Mode", vtkIndirectSettingList::Choice{ names[this->Set.GetMode()] })
+    .Add("NumberOfSamples", this->Set.GetNumberOfSamples())
+    .Add("NeighborhoodRadius", this->Set.GetNeighborhoodRadius())
+    .Add("Interpolation", plan ? this->Interpolates : this->Set.GetInterpolation())
+    .Add("InterpolationStep", this->Set.GetInterpolationStep());
 }
 
 //------------------------------------------------------------------------------
@@ -210,6 +213,7 @@ bool GatherSum::Sum(const Input& input)
   const bool interpolate = this->Set.GetInterpolation() &&
     this->Set.GetMode() != vtkRSMGatherPass::ALL_TEXELS &&
     rows * vtkIndirectSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
+  this->Interpolates = interpolate;
   const int step = interpolate ? this->Set.GetInterpolationStep() : 1;
   const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
     (frame.Size[1] + 2 * step - 2) / step };

@@ -42,7 +42,6 @@ class VTKRENDERINGINDIRECT_EXPORT vtkRSMReferencePass : public vtkIndirectEstima
 public:
   static vtkRSMReferencePass* New();
   vtkTypeMacro(vtkRSMReferencePass, vtkIndirectEstimatorPass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "reference"; }
 

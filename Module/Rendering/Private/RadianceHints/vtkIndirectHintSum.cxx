@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "LightMaps/vtkIndirectLightMaps.h"
 #include "RadianceHints/vtkIndirectHintRegions.h"
@@ -42,6 +43,32 @@ vtkIndirectHintSum::vtkIndirectHintSum(vtkRadianceHintsPass& pass)
 {
   // With depth, which marks the pixels that interpolation has left.
   this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true, 16);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintSum::AddSettings(
+  vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
+{
+  using Choice = vtkIndirectSettingList::Choice;
+  const auto& set = this->Set.Settings;
+  std::array<int, 3> hints = { set.GridResolution[0], set.GridResolution[1],
+    set.GridResolution[2] };
+  if (plan && !this->GridSettings.Regions.empty())
+  {
+    const auto& size = this->GridSettings.Regions.front().Size;
+    hints = { size.x, size.y, size.z };
+  }
+  this->vtkIndirectSum::AddSettings(list, plan);
+  list.Add("Preset", Choice{ set.Preset == vtkRadianceHintsPass::PAPER ? "Paper" : "Robust" })
+    .Add("Order", set.Order)
+    .Add("Extent", Choice{ set.Extent == vtkRadianceHintsPass::SCENE ? "Scene" : "View" })
+    .Add("GridResolution", hints)
+    .Add("NumberOfGrids", set.NumberOfGrids)
+    .Add("FineGridExtent", set.FineGridExtent)
+    .Add("NumberOfSamples", set.NumberOfSamples)
+    .Add("DepthOcclusion", set.DepthOcclusion)
+    .Add("InterpolationStep", set.InterpolationStep)
+    .Add("TemporalSmoothing", set.TemporalSmoothing);
 }
 
 //------------------------------------------------------------------------------

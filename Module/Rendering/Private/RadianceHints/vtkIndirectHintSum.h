@@ -19,6 +19,7 @@ class vtkIndirectHintSum : public vtkIndirectSum
 public:
   explicit vtkIndirectHintSum(vtkRadianceHintsPass& pass);
 
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
