@@ -345,13 +345,13 @@ public:
   ///@}
 
   /**
-   * Returns a report of the last frame as JSON (schema vtkindirect.report/1): settings in force; what was
-   * modelled and left out and why; the alternatives in use where OpenGL decides (paths); virtual
-   * lights; bytes: of the frame's textures and buffers; main_memory_bytes: of other kept data that
-   * grow with the scene and the estimator's settings: voxels, triangles, hints and their rays;
-   * counters since construction: shader_builds, how often VTK asked for a mapper's shader source.
-   * With Timing on it has the median and 95th percentile of each stage's milliseconds over the
-   * frames since, by wall clock and, if OpenGL has timer queries, by the GPU's clock.
+   * Returns a report of the last frame as JSON (schema vtkindirect.report/1): settings in force;
+   * what was modelled and left out and why; the alternatives in use where OpenGL decides (paths);
+   * virtual lights; bytes: of the frame's textures and buffers; main_memory_bytes: of other kept
+   * data that grow with the scene and the estimator's settings: voxels, triangles, hints and their
+   * rays; counters since construction: shader_builds, how often VTK asked for a mapper's shader
+   * source. With Timing on it has the median and 95th percentile of each stage's milliseconds over
+   * the frames since, by wall clock and, if OpenGL has timer queries, by the GPU's clock.
    */
   std::string GetReport();
 
