@@ -4,6 +4,7 @@
 #include "vtkRSMGatherPass.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Capture/vtkIndirectReceiverGrid.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
@@ -67,7 +68,7 @@ private:
   bool Sum(const Input& input);
 
   const vtkRSMGatherPass& Set;
-  vtkIndirectTarget Coarse{ CoarseChannels, false };
+  vtkIndirectReceiverGrid Coarse{ CoarseChannels };
   vtkIndirectFullScreenProgram Gather[2] = { { "vtkIndirectGatherFS.glsl", LightsFile },
     { "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
   vtkIndirectFullScreenProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
@@ -215,11 +216,8 @@ bool GatherSum::Sum(const Input& input)
     rows * vtkIndirectSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
   this->Interpolates = interpolate;
   const int step = interpolate ? this->Set.GetInterpolationStep() : 1;
-  const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
-    (frame.Size[1] + 2 * step - 2) / step };
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
-    !this->ResizeGlossy(input) ||
-    (interpolate && !this->Coarse.Resize(frame.Window, coarse[0], coarse[1])))
+    !this->ResizeGlossy(input) || (interpolate && !this->Coarse.Resize(frame, step)))
   {
     return false;
   }
@@ -317,9 +315,7 @@ bool GatherSum::Sum(const Input& input)
   }
   this->Irradiance->Begin();
   this->SetUniforms(program, input, neighborhood);
-  this->Coarse.Activate(0, program);
-  program->SetUniformi("vtkiStep", step);
-  program->SetUniform2i("vtkiCoarseSize", coarse);
+  this->Coarse.ActivateAll(program);
   if (!neighborhood)
   {
     const int all[2] = { 0, rows };
