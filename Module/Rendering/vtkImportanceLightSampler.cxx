@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImportanceLightSampler.h"
 
+#include "Frame/vtkIndirectSettingList.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectMapSampler.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
@@ -30,6 +31,7 @@ public:
     , Set(settings)
   {
   }
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   Drawing GetDrawing() const override;
   void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
 
@@ -45,14 +47,14 @@ vtkImportanceLightSampler::vtkImportanceLightSampler()
 }
 
 //------------------------------------------------------------------------------
-void vtkImportanceLightSampler::PrintSelf(ostream& os, vtkIndent indent)
+void ImportanceLights::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
-  this->Superclass::PrintSelf(os, indent);
-  const SettingsType& set = this->Settings;
-  os << indent << "Warping: " << (set.Warping == APART ? "Apart" : "Together") << "\n";
-  os << indent << "Levels: " << set.Levels << "\n";
-  os << indent << "Evenness: " << set.Evenness << "\n";
-  os << indent << "Occlusion: " << set.Occlusion << "\n";
+  this->vtkIndirectMapSampler::AddSettings(list, plan);
+  const bool apart = this->Set.GetWarping() == vtkImportanceLightSampler::APART;
+  list.Add("Warping", vtkIndirectSettingList::Choice{ apart ? "Apart" : "Together" })
+    .Add("Levels", this->Set.GetLevels())
+    .Add("Evenness", this->Set.GetEvenness())
+    .Add("Occlusion", this->Set.GetOcclusion());
 }
 
 //------------------------------------------------------------------------------

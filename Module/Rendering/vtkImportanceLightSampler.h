@@ -27,7 +27,6 @@ class VTKRENDERINGINDIRECT_EXPORT vtkImportanceLightSampler : public vtkVirtualL
 public:
   static vtkImportanceLightSampler* New();
   vtkTypeMacro(vtkImportanceLightSampler, vtkVirtualLightSampler);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum WarpingType
   {

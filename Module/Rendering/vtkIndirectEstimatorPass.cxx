@@ -3,6 +3,7 @@
 
 #include "vtkIndirectEstimatorPass.h"
 
+#include "Frame/vtkIndirectSettingList.h"
 #include "Gather/vtkIndirectSum.h"
 #include "vtkIndirectIlluminationPass.h"
 
@@ -24,11 +25,10 @@ vtkIndirectEstimatorPass::~vtkIndirectEstimatorPass()
 void vtkIndirectEstimatorPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const SettingsType& set = this->Settings;
   os << indent << "MethodName: " << this->GetMethodName() << "\n";
-  os << indent << "SpecularTransport: " << (set.SpecularTransport ? "On" : "Off") << "\n";
-  os << indent << "Occupancy: " << (set.Occupancy ? "On" : "Off") << "\n";
-  os << indent << "OccupancyResolution: " << set.OccupancyResolution << "\n";
+  vtkIndirectSettingList settings;
+  this->Sum->AddSettings(settings, nullptr);
+  settings.Print(os, indent);
   this->Sum->GetIrradiance().Print(os, indent);
 }
 

@@ -9,9 +9,11 @@
 #include "Frame/vtkIndirectLightScope.h"
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectSwitches.h"
 #include "Frame/vtkIndirectView.h"
 #include "Gather/vtkIndirectSum.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "Pipeline/vtkIndirectLighting.h"
 #include "Pipeline/vtkIndirectPipeline.h"
@@ -152,33 +154,47 @@ vtkIndirectIlluminationPass::~vtkIndirectIlluminationPass()
 void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  auto flag = [](bool on) { return on ? "On" : "Off"; };
   os << indent << "Estimator: " << this->Estimator << (this->Estimator ? "" : " (automatic)")
      << "\n";
   os << indent << "Sampler: " << this->Sampler << (this->Sampler ? "" : " (automatic)") << "\n";
   os << indent << "Environment: " << this->Environment << "\n";
   os << indent << "NumberOfAreaLights: " << this->GetNumberOfAreaLights() << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
-  os << indent << "Lighting: " << vtkIndirectLighting::GetTitle(this->Settings.Lighting) << "\n";
-  static const char* const visibilities[] = { "Auto", "None", "Voxels", "Maps" };
-  os << indent << "Visibility: " << visibilities[this->Settings.Visibility] << "\n";
-  os << indent << "Shadows: " << flag(this->Settings.Shadows) << "\n";
-  os << indent << "Antialiasing: " << flag(this->Settings.Antialiasing) << "\n";
-  os << indent << "ReflectiveShadowMapResolution: " << this->GetReflectiveShadowMapResolution()
-     << "\n";
-  os << indent << "NumberOfBounces: " << this->Settings.NumberOfBounces << "\n";
-  os << indent << "IndirectScale: " << this->Settings.IndirectScale << "\n";
-  os << indent << "ErrorTolerance: " << this->Settings.ErrorTolerance << "\n";
-  os << indent << "Caching: " << flag(this->Settings.Caching) << "\n";
-  os << indent << "MapsFirst: " << flag(this->Settings.MapsFirst) << "\n";
-  os << indent << "SpheresInMotion: " << flag(this->Settings.SpheresInMotion) << "\n";
-  os << indent << "RemainingGeometry: " << flag(this->Settings.RemainingGeometry) << "\n";
-  os << indent << "DebugView: \"" << this->DebugView << "\"\n";
-  os << indent << "Timing: " << flag(this->GetTiming()) << "\n";
+  vtkIndirectSettingList settings;
+  this->AddSettings(settings, nullptr);
+  settings.Print(os, indent);
   os << indent << "Buffers:\n";
   vtkIndirectComposite::PrintChannels(os, indent.GetNextIndent());
   os << indent << "ReflectiveShadowMaps:\n";
   this->ReflectiveShadowMaps->PrintSelf(os, indent.GetNextIndent());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectIlluminationPass::AddSettings(
+  vtkIndirectSettingList& list, const vtkIndirectPlan* plan)
+{
+  using Choice = vtkIndirectSettingList::Choice;
+  const vtkIndirectSettings& set = this->Settings;
+  static const char* const visibilities[] = { "Auto", "None", "Voxels", "Maps" };
+  const bool maps = plan && plan->Senders == vtkIndirectPlan::MAPS;
+  const int lighting =
+    plan && set.IndirectScale == 0.0 ? static_cast<int>(vtkIndirectLightingScene) : set.Lighting;
+  list.Add("Lighting", Choice{ vtkIndirectLighting::GetTitle(lighting) })
+    .Add("Visibility", Choice{ visibilities[plan ? plan->Visibility : set.Visibility] })
+    .Add("Shadows", set.Shadows)
+    .Add("Antialiasing", plan ? plan->Antialiasing : set.Antialiasing)
+    .Add("ReflectiveShadowMapResolution",
+      maps ? vtkIndirectLightMaps::Get(this->ReflectiveShadowMaps).GetTexels()
+           : this->GetReflectiveShadowMapResolution())
+    .Add("NumberOfBounces", plan ? plan->LastBounce : set.NumberOfBounces)
+    .Add("IndirectScale", set.IndirectScale)
+    .Add("ErrorTolerance", plan ? plan->EstimatorErrorTolerance : set.ErrorTolerance)
+    .Add("Caching", set.Caching)
+    .Add("MapsFirst", plan ? plan->WaitsForMaps : set.MapsFirst)
+    .Add("SpheresInMotion", set.SpheresInMotion)
+    .Add("RemainingGeometry", set.RemainingGeometry)
+    .Add("DebugView", this->DebugView)
+    .Add("Timing", this->GetTiming());
 }
 
 //------------------------------------------------------------------------------
@@ -542,13 +558,15 @@ std::string vtkIndirectIlluminationPass::GetReport()
 {
   Internals& in = *this->Internal;
   vtkIndirectReport report;
-  const double tolerance = in.Pipeline.GetPlan().EstimatorErrorTolerance; // tolerance in use
-  report.Settings = { { "Shadows", this->Settings.Shadows },
-    { "Antialiasing", this->Settings.Antialiasing },
-    { "ReflectiveShadowMapResolution", this->GetReflectiveShadowMapResolution() },
-    { "NumberOfBounces", this->Settings.NumberOfBounces },
-    { "IndirectScale", this->Settings.IndirectScale }, { "ErrorTolerance", tolerance },
-    { "Caching", this->Settings.Caching } };
+  // An estimator's setting hides the frame's setting of the same name.
+  const vtkIndirectPlan* const plan = in.Pipeline.HasBuffers() ? &in.Pipeline.GetPlan() : nullptr;
+  const vtkIndirectSum& sum = vtkIndirectSum::Get(this->GetFrameEstimator());
+  sum.AddSettings(report.Settings, plan);
+  if (sum.GetAbilities(this->Settings.ErrorTolerance).TakesSampler)
+  {
+    vtkIndirectSampler::Get(this->GetActiveSampler())->AddSettings(report.Settings, plan);
+  }
+  this->AddSettings(report.Settings, plan);
   in.Pipeline.AddToReport(report);
   report.LeftOut.insert(
     report.LeftOut.end(), in.Switches.GetLeftOut().begin(), in.Switches.GetLeftOut().end());

@@ -44,11 +44,13 @@ class vtkImageData;
 class vtkInformationIntegerKey;
 class vtkInformationStringKey;
 class vtkIndirectEstimatorPass;
+class vtkIndirectSettingList;
 class vtkLight;
 class vtkPolyData;
 class vtkProp;
 class vtkReflectiveShadowMapPass;
 class vtkVirtualLightSampler;
+struct vtkIndirectPlan;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkIndirectIlluminationPass : public vtkOpenGLRenderPass
 {
@@ -343,13 +345,13 @@ public:
   ///@}
 
   /**
-   * Returns a report of the last frame as JSON (schema vtkindirect.report/1): settings; what was
-   * modelled and left out and why; the alternatives in use where OpenGL decides (paths); virtual
-   * lights; bytes: of the frame's textures and buffers; main_memory_bytes: of other kept data that
-   * grow with the scene and the estimator's settings: voxels, triangles, hints and their rays;
-   * counters since construction: shader_builds, how often VTK asked for a mapper's shader source.
-   * With Timing on it has the median and 95th percentile of each stage's milliseconds over the
-   * frames since, by wall clock and, if OpenGL has timer queries, by the GPU's clock.
+   * Returns a report of the last frame as JSON (schema vtkindirect.report/1): settings in force;
+   * what was modelled and left out and why; the alternatives in use where OpenGL decides (paths);
+   * virtual lights; bytes: of the frame's textures and buffers; main_memory_bytes: of other kept
+   * data that grow with the scene and the estimator's settings: voxels, triangles, hints and their
+   * rays; counters since construction: shader_builds, how often VTK asked for a mapper's shader
+   * source. With Timing on it has the median and 95th percentile of each stage's milliseconds over
+   * the frames since, by wall clock and, if OpenGL has timer queries, by the GPU's clock.
    */
   std::string GetReport();
 
@@ -446,6 +448,8 @@ private:
 
   void LetGo(vtkWindow* window);
   void ShowDebugView();
+  // Adds the pass's settings; plan: that of the last frame for those in force, or null.
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan);
   vtkIndirectEstimatorPass* GetFrameEstimator(); // estimator of the last frame, if the next frame
                                                  // has none
   void RenderDelegate(const vtkRenderState* s, const std::string& why);

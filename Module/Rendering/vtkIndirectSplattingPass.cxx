@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectGlossyGather.h"
 #include "Gather/vtkIndirectLobeGather.h"
@@ -39,6 +40,7 @@ public:
     , Set(pass)
   {
   }
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
@@ -73,12 +75,12 @@ vtkIndirectSplattingPass::vtkIndirectSplattingPass()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSplattingPass::PrintSelf(ostream& os, vtkIndent indent)
+void SplatSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "IntensityThreshold: " << this->Settings.IntensityThreshold << "\n";
-  os << indent << "FarField: " << (this->Settings.FarField ? "On" : "Off") << "\n";
-  os << indent << "FarFieldStep: " << this->Settings.FarFieldStep << "\n";
+  this->vtkIndirectSum::AddSettings(list, plan);
+  list.Add("IntensityThreshold", this->Set.GetIntensityThreshold())
+    .Add("FarField", this->Set.GetFarField())
+    .Add("FarFieldStep", this->Set.GetFarFieldStep());
 }
 
 //------------------------------------------------------------------------------

@@ -49,7 +49,6 @@ class VTKRENDERINGINDIRECT_EXPORT vtkIndirectSplattingPass : public vtkIndirectE
 public:
   static vtkIndirectSplattingPass* New();
   vtkTypeMacro(vtkIndirectSplattingPass, vtkIndirectEstimatorPass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "splatting"; }
 

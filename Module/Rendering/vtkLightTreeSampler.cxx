@@ -2,7 +2,9 @@
 #include "vtkLightTreeSampler.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "LightMaps/vtkIndirectLightMaps.h"
 #include "VirtualLights/vtkIndirectMapSampler.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h"
@@ -34,6 +36,7 @@ public:
   {
     this->Texels.SetMostTexels(MostTexels);
   }
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   bool Update(const Input& input) override;
   vtkIndirectSamplerAbilities GetAbilities() const override;
   vtkIndirectMapSampler* GetViewPattern() override;
@@ -67,12 +70,15 @@ vtkLightTreeSampler::vtkLightTreeSampler()
 }
 
 //------------------------------------------------------------------------------
-void vtkLightTreeSampler::PrintSelf(ostream& os, vtkIndent indent)
+void TreeLights::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent
-     << "AutomaticNumberOfLights: " << (this->Settings.AutomaticNumberOfLights ? "On" : "Off")
-     << "\n";
+  const bool automatic = this->Set.GetAutomaticNumberOfLights();
+  if (plan && automatic && plan->Senders == vtkIndirectPlan::MAPS)
+  {
+    list.Add("NumberOfLights", this->GetActualNumberOfLights());
+  }
+  this->vtkIndirectSampler::AddSettings(list, plan);
+  list.Add("AutomaticNumberOfLights", automatic);
 }
 
 //------------------------------------------------------------------------------

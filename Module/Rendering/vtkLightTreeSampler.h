@@ -30,7 +30,6 @@ class VTKRENDERINGINDIRECT_EXPORT vtkLightTreeSampler : public vtkVirtualLightSa
 public:
   static vtkLightTreeSampler* New();
   vtkTypeMacro(vtkLightTreeSampler, vtkVirtualLightSampler);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
    * Largest number of virtual lights that all receivers sum, over all lights of the scene together.

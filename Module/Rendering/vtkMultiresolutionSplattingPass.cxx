@@ -26,20 +26,6 @@ vtkMultiresolutionSplattingPass::vtkMultiresolutionSplattingPass(
 vtkMultiresolutionSplattingPass::~vtkMultiresolutionSplattingPass() = default;
 
 //------------------------------------------------------------------------------
-void vtkMultiresolutionSplattingPass::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  const SettingsType& set = this->Settings;
-  os << indent << "Preset: " << (set.Preset == PAPER ? "Paper" : "Robust") << "\n";
-  os << indent << "FinestLevel: "
-     << (set.FinestLevel == FULL_RESOLUTION ? "FullResolution" : "HalfResolution") << "\n";
-  os << indent << "DepthThreshold: " << set.DepthThreshold.Value << "\n";
-  os << indent << "PlaneThreshold: " << set.PlaneThreshold.Value << "\n";
-  os << indent << "NormalThreshold: " << set.NormalThreshold.Value << "\n";
-  os << indent << "SurfaceDetail: " << set.SurfaceDetail << "\n";
-}
-
-//------------------------------------------------------------------------------
 void vtkMultiresolutionSplattingPass::SetPreset(int preset)
 {
   preset = preset == PAPER ? PAPER : ROBUST;

@@ -51,7 +51,6 @@ class VTKRENDERINGINDIRECT_EXPORT vtkMultiresolutionSplattingPass : public vtkIn
 public:
   static vtkMultiresolutionSplattingPass* New();
   vtkTypeMacro(vtkMultiresolutionSplattingPass, vtkIndirectEstimatorPass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "multiresolution"; }
 

@@ -7,6 +7,7 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectUniforms.h"
@@ -59,6 +60,7 @@ public:
     return static_cast<ProxySum&>(vtkIndirectSum::Get(pass));
   }
 
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan&) const override
   {
@@ -115,15 +117,21 @@ vtkProxyAccumulationPass::vtkProxyAccumulationPass()
 void vtkProxyAccumulationPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  static const char* const levels[] = { "Off", "Middle", "Averaged", "Shadowed", "Exact" };
-  os << indent << "ReceiverStep: " << this->Settings.ReceiverStep << "\n";
-  os << indent << "Groups: " << (this->Settings.Groups ? "On" : "Off") << "\n";
-  os << indent << "GroupAngle: " << this->Settings.GroupAngle << "\n";
-  os << indent << "InfluenceScale: " << this->Settings.InfluenceScale << "\n";
-  os << indent << "IndirectInfluenceScale: " << this->Settings.IndirectInfluenceScale << "\n";
-  os << indent << "IndirectLight: " << levels[this->Settings.IndirectLight] << "\n";
   os << indent << "NumberOfSpheres: " << this->GetNumberOfSpheres() << "\n";
   os << indent << "NumberOfPolygons: " << this->GetNumberOfPolygons() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void ProxySum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
+{
+  static const char* const levels[] = { "Off", "Middle", "Averaged", "Shadowed", "Exact" };
+  this->vtkIndirectSum::AddSettings(list, plan);
+  list.Add("ReceiverStep", plan ? this->Step : this->Set.GetReceiverStep())
+    .Add("Groups", this->Set.GetGroups())
+    .Add("GroupAngle", this->Set.GetGroupAngle())
+    .Add("InfluenceScale", plan ? this->Hides : this->Set.GetInfluenceScale())
+    .Add("IndirectInfluenceScale", plan ? this->Sends : this->Set.GetIndirectInfluenceScale())
+    .Add("IndirectLight", vtkIndirectSettingList::Choice{ levels[this->Set.GetIndirectLight()] });
 }
 
 //------------------------------------------------------------------------------

@@ -4,8 +4,10 @@
 #include "vtkRSMGatherPass.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Capture/vtkIndirectReceiverGrid.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectGlossyGather.h"
 #include "Gather/vtkIndirectLobeGather.h"
@@ -50,6 +52,7 @@ public:
     , Set(pass)
   {
   }
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
     const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
@@ -65,7 +68,7 @@ private:
   bool Sum(const Input& input);
 
   const vtkRSMGatherPass& Set;
-  vtkIndirectTarget Coarse{ CoarseChannels, false };
+  vtkIndirectReceiverGrid Coarse{ CoarseChannels };
   vtkIndirectFullScreenProgram Gather[2] = { { "vtkIndirectGatherFS.glsl", LightsFile },
     { "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
   vtkIndirectFullScreenProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
@@ -74,6 +77,7 @@ private:
   vtkIndirectLobeGather Lobes;
   const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
     std::make_shared<vtkIndirectAllTexelsSampler>();
+  bool Interpolates = false; // in the last frame
   std::string
     WhatDiskLeaves; // light outside of the last frame's disks, in words; empty if there is none
 };
@@ -86,15 +90,15 @@ vtkRSMGatherPass::vtkRSMGatherPass()
 }
 
 //------------------------------------------------------------------------------
-void vtkRSMGatherPass::PrintSelf(ostream& os, vtkIndent indent)
+void GatherSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
-  this->Superclass::PrintSelf(os, indent);
   static const char* const names[] = { "AllTexels", "VirtualLights", "Neighborhood" };
-  os << indent << "Mode: " << names[this->Settings.Mode] << "\n";
-  os << indent << "NumberOfSamples: " << this->Settings.NumberOfSamples << "\n";
-  os << indent << "NeighborhoodRadius: " << this->Settings.NeighborhoodRadius << "\n";
-  os << indent << "Interpolation: " << (this->Settings.Interpolation ? "On" : "Off") << "\n";
-  os << indent << "InterpolationStep: " << this->Settings.InterpolationStep << "\n";
+  this->vtkIndirectSum::AddSettings(list, plan);
+  list.Add("Mode", vtkIndirectSettingList::Choice{ names[this->Set.GetMode()] })
+    .Add("NumberOfSamples", this->Set.GetNumberOfSamples())
+    .Add("NeighborhoodRadius", this->Set.GetNeighborhoodRadius())
+    .Add("Interpolation", plan ? this->Interpolates : this->Set.GetInterpolation())
+    .Add("InterpolationStep", this->Set.GetInterpolationStep());
 }
 
 //------------------------------------------------------------------------------
@@ -210,12 +214,10 @@ bool GatherSum::Sum(const Input& input)
   const bool interpolate = this->Set.GetInterpolation() &&
     this->Set.GetMode() != vtkRSMGatherPass::ALL_TEXELS &&
     rows * vtkIndirectSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
+  this->Interpolates = interpolate;
   const int step = interpolate ? this->Set.GetInterpolationStep() : 1;
-  const int coarse[2] = { (frame.Size[0] + 2 * step - 2) / step,
-    (frame.Size[1] + 2 * step - 2) / step };
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
-    !this->ResizeGlossy(input) ||
-    (interpolate && !this->Coarse.Resize(frame.Window, coarse[0], coarse[1])))
+    !this->ResizeGlossy(input) || (interpolate && !this->Coarse.Resize(frame, step)))
   {
     return false;
   }
@@ -313,9 +315,7 @@ bool GatherSum::Sum(const Input& input)
   }
   this->Irradiance->Begin();
   this->SetUniforms(program, input, neighborhood);
-  this->Coarse.Activate(0, program);
-  program->SetUniformi("vtkiStep", step);
-  program->SetUniform2i("vtkiCoarseSize", coarse);
+  this->Coarse.ActivateAll(program);
   if (!neighborhood)
   {
     const int all[2] = { 0, rows };

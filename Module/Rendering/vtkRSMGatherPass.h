@@ -42,7 +42,6 @@ class VTKRENDERINGINDIRECT_EXPORT vtkRSMGatherPass : public vtkIndirectEstimator
 public:
   static vtkRSMGatherPass* New();
   vtkTypeMacro(vtkRSMGatherPass, vtkIndirectEstimatorPass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "gather"; }
 

@@ -33,18 +33,6 @@ vtkRadianceHintsPass::~vtkRadianceHintsPass() = default;
 void vtkRadianceHintsPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  const SettingsType& set = this->Settings;
-  os << indent << "Preset: " << (set.Preset == PAPER ? "Paper" : "Robust") << "\n";
-  os << indent << "Order: " << set.Order << "\n";
-  os << indent << "Extent: " << (set.Extent == SCENE ? "Scene" : "View") << "\n";
-  os << indent << "GridResolution: " << set.GridResolution[0] << " " << set.GridResolution[1] << " "
-     << set.GridResolution[2] << "\n";
-  os << indent << "NumberOfGrids: " << set.NumberOfGrids << "\n";
-  os << indent << "FineGridExtent: " << set.FineGridExtent << "\n";
-  os << indent << "NumberOfSamples: " << set.NumberOfSamples << "\n";
-  os << indent << "DepthOcclusion: " << (set.DepthOcclusion ? "On" : "Off") << "\n";
-  os << indent << "InterpolationStep: " << set.InterpolationStep << "\n";
-  os << indent << "TemporalSmoothing: " << set.TemporalSmoothing << "\n";
   SumOf(this).GetCoarse().Print(os, indent);
 }
 

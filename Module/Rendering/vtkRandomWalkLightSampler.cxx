@@ -4,6 +4,7 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "VirtualLights/vtkIndirectEmitters.h"
 #include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h"
@@ -58,6 +59,7 @@ public:
     , Set(settings)
   {
   }
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   bool Update(const Input& input) override;
   vtkIndirectSamplerAbilities GetAbilities() const override;
   /** Follows the paths; their vertices are the senders. */
@@ -98,12 +100,12 @@ vtkRandomWalkLightSampler::vtkRandomWalkLightSampler()
 }
 
 //------------------------------------------------------------------------------
-void vtkRandomWalkLightSampler::PrintSelf(ostream& os, vtkIndent indent)
+void WalkLights::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfVertices: " << this->Settings.NumberOfVertices << "\n";
-  os << indent << "NumberOfFrames: " << this->Settings.NumberOfFrames << "\n";
-  os << indent << "FirstBounce: " << this->Settings.FirstBounce << "\n";
+  this->vtkIndirectSampler::AddSettings(list, plan);
+  list.Add("NumberOfVertices", this->Set.GetNumberOfVertices())
+    .Add("NumberOfFrames", this->Set.GetNumberOfFrames())
+    .Add("FirstBounce", this->Set.GetFirstBounce());
 }
 
 //------------------------------------------------------------------------------

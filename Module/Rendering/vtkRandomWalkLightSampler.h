@@ -33,7 +33,6 @@ class VTKRENDERINGINDIRECT_EXPORT vtkRandomWalkLightSampler : public vtkVirtualL
 public:
   static vtkRandomWalkLightSampler* New();
   vtkTypeMacro(vtkRandomWalkLightSampler, vtkVirtualLightSampler);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**

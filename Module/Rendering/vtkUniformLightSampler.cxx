@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUniformLightSampler.h"
 
+#include "Frame/vtkIndirectSettingList.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectMapSampler.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
@@ -22,6 +23,7 @@ public:
     , Set(settings)
   {
   }
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   Drawing GetDrawing() const override;
   void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override;
 
@@ -37,14 +39,13 @@ vtkUniformLightSampler::vtkUniformLightSampler()
 }
 
 //------------------------------------------------------------------------------
-void vtkUniformLightSampler::PrintSelf(ostream& os, vtkIndent indent)
+void UniformLights::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
-  this->Superclass::PrintSelf(os, indent);
-  const SettingsType& set = this->Settings;
+  this->vtkIndirectMapSampler::AddSettings(list, plan);
   static const char* const names[] = { "Grid", "Jittered", "LowDiscrepancy" };
-  os << indent << "Pattern: " << names[set.Pattern] << "\n";
-  os << indent << "LitTexels: " << (set.LitTexels ? "On" : "Off") << "\n";
-  os << indent << "AmbientOcclusion: " << (set.AmbientOcclusion ? "On" : "Off") << "\n";
+  list.Add("Pattern", vtkIndirectSettingList::Choice{ names[this->Set.GetPattern()] })
+    .Add("LitTexels", this->Set.GetLitTexels())
+    .Add("AmbientOcclusion", this->Set.GetAmbientOcclusion());
 }
 
 //------------------------------------------------------------------------------

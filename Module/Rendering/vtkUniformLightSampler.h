@@ -22,7 +22,6 @@ class VTKRENDERINGINDIRECT_EXPORT vtkUniformLightSampler : public vtkVirtualLigh
 public:
   static vtkUniformLightSampler* New();
   vtkTypeMacro(vtkUniformLightSampler, vtkVirtualLightSampler);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum PatternType
   {

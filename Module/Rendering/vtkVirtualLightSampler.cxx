@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVirtualLightSampler.h"
 
+#include "Frame/vtkIndirectSettingList.h"
 #include "VirtualLights/vtkIndirectSampler.h"
 
 #include <algorithm>
@@ -17,7 +18,9 @@ vtkVirtualLightSampler::~vtkVirtualLightSampler() = default;
 void vtkVirtualLightSampler::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfLights: " << this->NumberOfLights << "\n";
+  vtkIndirectSettingList settings;
+  this->Lights->AddSettings(settings, nullptr);
+  settings.Print(os, indent);
   os << indent << "ActualNumberOfLights: " << this->GetActualNumberOfLights() << "\n";
   this->Lights->GetTable().Print(os, indent);
   if (const vtkIndirectTarget* lobes = this->Lights->GetLobes())

@@ -11,7 +11,6 @@ from vtkmodules.vtkRenderingOpenGL2 import vtkRenderStepsPass
 
 import vtkindirect
 from vtkindirect import UsageError, methods, names, wrapped
-from vtkindirect import settings as properties
 
 
 class Methods(unittest.TestCase):
@@ -164,8 +163,9 @@ class Enable(unittest.TestCase):
         self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
         self.assertTrue(indirect.GetActiveEstimator().GetOccupancy())
         self.assertEqual(indirect.GetActiveEstimator().GetOccupancyResolution(), 64)
-        described = properties.describe(methods.parts(indirect))
-        self.assertEqual(described["NumberOfLights"], 512)
+        reported = vtkindirect.report(self.renderer)["settings"]
+        self.assertEqual(reported["NumberOfLights"], 512)
+        self.assertEqual(reported["OccupancyResolution"], 64)
 
     def test_settings_are_kept_where_they_apply(self) -> None:
         indirect = vtkindirect.enable(self.renderer, number_of_lights=512, Occupancy="on")

@@ -7,7 +7,12 @@ import numpy as np
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkProperty
 
-from vtkindirect import UsageError, settings, wrapped
+import support
+import vtkindirect
+from vtkindirect import METHODS, UsageError, frames, methods, settings, wrapped
+from vtkindirect.frames import Job
+
+WHY_NOT = support.why_no_rendering()
 
 CLASSES = (
     "vtkIndirectIlluminationPass",
@@ -97,11 +102,6 @@ class Settings(unittest.TestCase):
         self.assertNotIn("Debug", settings.properties(self.sphere))
         self.assertNotIn("ReferenceCount", settings.properties(self.sphere))
 
-    def test_describe(self):
-        found = settings.describe(self.targets)
-        self.assertEqual(found["Radius"], 0.5)
-        self.assertEqual(found["Interpolation"], "gouraud")
-
     def test_names(self):
         for name, snake in (
             ("AllTexels", "all_texels"),
@@ -133,3 +133,88 @@ class Settings(unittest.TestCase):
         for wrong in ("A", "=1", "A=", ""):
             with self.subTest(wrong=wrong), self.assertRaisesRegex(UsageError, "Property=value"):
                 settings.parse([wrong])
+
+
+@unittest.skipIf(WHY_NOT, WHY_NOT or "")
+class ReportedSettings(unittest.TestCase):
+    """The report of a frame has every setting, with the value in force."""
+
+    def render(self, method, sampler=None, **values):
+        scene = vtkindirect.load_scene(support.SCENES / "two_planes.json")
+        window = frames.open_window(scene, (40, 30))
+        self.addCleanup(window.Finalize)
+        frames.render(scene, window, Job(method, sampler, values))
+        return methods.pass_of(scene.renderer), vtkindirect.report(scene.renderer)["settings"]
+
+    def assert_complete(self, indirect, reported):
+        for part in methods.parts(indirect):
+            for name in settings.properties(part):
+                value = getattr(part, f"Get{name}")()
+                if isinstance(value, (bool, int, float, str, tuple)):
+                    with self.subTest(part=part.GetClassName(), name=name):
+                        self.assertIn(name, reported)
+                        choices = settings.choices(part, name)
+                        kind = str if choices else list if isinstance(value, tuple) else type(value)
+                        self.assertIsInstance(reported[name], kind)
+                        if choices:
+                            self.assertIn(reported[name], choices)
+
+    def test_every_setting_is_reported(self):
+        for method in METHODS:
+            if method != "off":
+                # All texels are not those of a sampler, whose settings are not in force then.
+                values = {"Mode": "virtual_lights"} if method == "reference" else {}
+                with self.subTest(method=method):
+                    self.assert_complete(*self.render(method, **values))
+        for sampler in methods.SAMPLERS:
+            with self.subTest(sampler=sampler):
+                self.assert_complete(*self.render("gather", sampler))
+
+    def test_settings_that_are_set_are_in_force(self):
+        values = {
+            "Visibility": "voxels",
+            "NumberOfBounces": 2,
+            "NumberOfLights": 32,
+            "Pattern": "grid",
+            "LitTexels": False,
+            "InterpolationStep": 6,
+            "OccupancyResolution": 32,
+            "SpecularTransport": False,
+            "ReflectiveShadowMapResolution": 64,
+            "IndirectScale": 0.5,
+            "Shadows": False,
+            "Antialiasing": False,
+            "SpheresInMotion": False,
+            "RemainingGeometry": False,
+            "DebugView": "normal",
+        }
+        _, reported = self.render("gather", "uniform", **values)
+        for name, value in values.items():
+            with self.subTest(name=name):
+                self.assertEqual(reported[name], value)
+
+    def test_automatic_settings_are_resolved(self):
+        indirect, reported = self.render("multiresolution", ErrorTolerance=0.04)
+        self.assertEqual(indirect.GetVisibility(), indirect.AUTO)
+        self.assertEqual(reported["Visibility"], "maps")
+        self.assertEqual(indirect.GetNumberOfBounces(), 0)
+        self.assertEqual(reported["NumberOfBounces"], 128)  # of a random walk
+        self.assertTrue(reported["AutomaticNumberOfLights"])
+        sampler = indirect.GetSampler()
+        self.assertEqual(reported["NumberOfLights"], sampler.GetActualNumberOfLights())
+        # Thresholds are proportional to the tolerance; the defaults are those of 0.02.
+        estimator = indirect.GetEstimator()
+        for name in ("PlaneThreshold", "NormalThreshold", "DepthThreshold"):
+            self.assertEqual(reported[name], 2.0 * getattr(estimator, f"Get{name}")())
+        indirect, reported = self.render("hints", ErrorTolerance=0.1)
+        self.assertEqual(indirect.GetEstimator().GetGridResolution(), (0, 0, 0))
+        self.assertEqual(max(reported["GridResolution"]), 11)  # sqrt(12 / 0.1)
+        self.assertEqual(reported["NumberOfBounces"], 1)
+        self.assertNotIn("NumberOfLights", reported)  # no sampler is in force
+        _, reported = self.render("gather", Mode="all_texels")
+        self.assertFalse(reported["Interpolation"])
+        self.assertEqual(reported["Visibility"], "none")
+
+    def test_estimators_own_visibility_is_in_force(self):
+        _, reported = self.render("reference")
+        self.assertEqual(reported["Visibility"], "none")

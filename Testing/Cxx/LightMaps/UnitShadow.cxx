@@ -351,6 +351,58 @@ VTK_INDIRECT_TEST(SameSurface)
     !same(vec3(1.0f, 0.0f, 0.0f), vec3(std::sin(0.9f * tilt), 0.0f, std::cos(0.9f * tilt))));
 }
 
+// One plane decides, and its normal.
+VTK_INDIRECT_TEST(LiesOnPlane)
+{
+  const vec3 up(0.0f, 0.0f, 1.0f);
+  const vec3 tilted = glm::normalize(vec3(0.3f, 0.0f, 1.0f));
+  Check("far along the plane", vtkiLiesOnPlane(vec3(1e6f, 0.0f, 0.0f), tilted, up, 0.9f, 0.1f));
+  Check("above the plane", !vtkiLiesOnPlane(vec3(0.0f, 0.0f, 0.11f), up, up, 0.9f, 0.1f));
+  Check("the other's plane", !vtkiLiesOnPlane(vec3(1e6f, 0.0f, 0.0f), up, tilted, 0.9f, 0.1f));
+  Check("normals disagree", !vtkiLiesOnPlane(vec3(0.0f), -up, up, 0.9f, 0.1f));
+}
+
+// Samples lie at every step-th pixel and on the border: weights add up to one, and interpolate the
+// pixel's own place exactly.
+VTK_INDIRECT_TEST(GridCells)
+{
+  double worst = 0.0;
+  for (int step = 1; step <= 9; ++step)
+  {
+    for (int width = 1; width <= 40; ++width)
+    {
+      const ivec2 last(width - 1, 2 * width - 1);
+      for (int x = 0; x < width; ++x)
+      {
+        const ivec2 pixel(x, 2 * x + 1);
+        const vtkiGridCell cell = vtkiFindCell(pixel, step, last);
+        glm::dvec3 sum(0.0);
+        for (int i = 0; i < 4; ++i)
+        {
+          const ivec2 place = min((cell.corner + ivec2(i & 1, i >> 1)) * step, last);
+          sum += double(vtkiCellWeight(cell, i)) * glm::dvec3(place.x, place.y, 1.0);
+        }
+        worst = std::max(worst, glm::length(sum - glm::dvec3(pixel.x, pixel.y, 1.0)));
+      }
+    }
+  }
+  CheckAtMost("distance of the interpolated place, pixels", worst, 1e-5, "float");
+}
+
+VTK_INDIRECT_TEST(Agreement)
+{
+  const vec3 up(0.0f, 0.0f, 1.0f);
+  auto agreement = [&](const vec3& offset, const vec3& normal)
+  { return double(vtkiAgreement(offset, up, normal, 2.0f)); };
+  CheckEqual("the same surface", agreement(vec3(5.0f, -7.0f, 0.0f), up), 1.0);
+  CheckEqual("half a distance above", agreement(vec3(0.0f, 0.0f, 1.0f), up), 0.5);
+  CheckEqual("behind", agreement(vec3(0.0f), -up), 0.0);
+  const vec3 tilted(0.6f, 0.0f, 0.8f);
+  CheckAtMost("power 8 of the cosine", std::abs(agreement(vec3(0.0f), tilted) - std::pow(0.8, 8)),
+    1e-6, "float");
+  CheckEqual("no distance", double(vtkiAgreement(vec3(0.0f), up, up, 0.0f)), 1.0);
+}
+
 // A joint test of several positions must hold between any two of them.
 VTK_INDIRECT_TEST(OneSurface)
 {

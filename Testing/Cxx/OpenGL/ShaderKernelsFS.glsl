@@ -6,7 +6,7 @@
 #include "vtkIndirectLibColor.glsl"
 #include "vtkIndirectLibGlossy.glsl"
 #include "vtkIndirectLibHarmonics.glsl"
-#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectLibReceiverGrid.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibOccupancy.glsl"
 #include "vtkIndirectLibPlane.glsl"

@@ -7,6 +7,7 @@
 #include "Frame/vtkIndirectEstimate.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectKernels.h"
@@ -480,6 +481,7 @@ public:
     , Set(pass)
   {
   }
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
@@ -504,13 +506,13 @@ vtkRSMReferencePass::vtkRSMReferencePass()
 }
 
 //------------------------------------------------------------------------------
-void vtkRSMReferencePass::PrintSelf(ostream& os, vtkIndent indent)
+void ReferenceSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << (this->Settings.Mode == ALL_TEXELS ? "AllTexels" : "VirtualLights")
-     << "\n";
+  const bool all = this->Set.GetMode() == vtkRSMReferencePass::ALL_TEXELS;
   static const char* const visibilities[] = { "None", "Voxels", "Exact" };
-  os << indent << "Visibility: " << visibilities[this->Settings.Visibility] << "\n";
+  this->vtkIndirectSum::AddSettings(list, plan);
+  list.Add("Mode", vtkIndirectSettingList::Choice{ all ? "AllTexels" : "VirtualLights" })
+    .Add("Visibility", vtkIndirectSettingList::Choice{ visibilities[this->Set.GetVisibility()] });
 }
 
 //------------------------------------------------------------------------------

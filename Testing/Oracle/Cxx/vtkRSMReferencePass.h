@@ -42,7 +42,6 @@ class VTKINDIRECTORACLE_EXPORT vtkRSMReferencePass : public vtkIndirectEstimator
 public:
   static vtkRSMReferencePass* New();
   vtkTypeMacro(vtkRSMReferencePass, vtkIndirectEstimatorPass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "reference"; }
 

@@ -14,7 +14,7 @@ from typing import Any
 from vtkmodules.vtkCommonCore import vtkVersion
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderWindow
 
-from vtkindirect import messages, methods, settings, windows
+from vtkindirect import messages, methods, windows
 from vtkindirect.errors import RenderError
 from vtkindirect.scene import Scene
 
@@ -252,8 +252,6 @@ def render(
     median, p95 = statistics.median(times), percentile_95(times)
     if indirect is not None:
         result = methods.report(indirect)
-        described = settings.describe(methods.parts(indirect))
-        result["settings"] = {**described, **result.get("settings", {})}
     else:
         result = {
             "stages": {"delegate": {"median_ms": median, "p95_ms": p95}},

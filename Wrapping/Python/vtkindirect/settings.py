@@ -159,29 +159,6 @@ def set_property(target: vtkObjectBase, name: str, value: Any) -> None:
         )
 
 
-def describe(targets: Iterable[vtkObjectBase]) -> dict[str, Any]:
-    """Return the values of all properties that are not objects; enumerations by name."""
-    found: dict[str, Any] = {}
-    for target in targets:
-        for name in properties(target):
-            value = getattr(target, f"Get{name}")()
-            if not isinstance(value, (bool, int, float, str, tuple)):
-                continue
-            found.setdefault(name, _choice_of(target, name) or value)
-    return found
-
-
-def _choice_of(target: vtkObjectBase, name: str) -> str | None:
-    """Return the name of the value that an enumeration has, found by trying them on a twin."""
-    value = getattr(target, f"Get{name}")()
-    for choice, method in choices(target, name).items():
-        twin = type(target)()
-        getattr(twin, method)()
-        if getattr(twin, f"Get{name}")() == value:
-            return choice
-    return None
-
-
 def find(targets: Iterable[vtkObjectBase], name: str) -> tuple[vtkObjectBase, str] | None:
     """Return the first object that has a property, and the property's proper name."""
     for target in targets:

@@ -4,6 +4,7 @@
 #include "Composite/vtkIndirectComposite.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Capture/vtkIndirectReceiverGrid.h"
 #include "Frame/vtkIndirectEstimate.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "LightMaps/vtkIndirectLightMap.h"
@@ -115,10 +116,7 @@ struct vtkIndirectComposite::Internals
     }
     if (estimate && estimate->Coarse)
     {
-      const int size[2] = { estimate->Coarse->GetWidth(), estimate->Coarse->GetHeight() };
-      estimate->Coarse->Activate(0, program, "vtkiCoarse");
-      program->SetUniform2i("vtkiCoarseSize", size);
-      program->SetUniformi("vtkiStep", estimate->Step);
+      estimate->Coarse->ActivateAll(program);
     }
     if (HasGlossy(input) || input.AreaGlossy)
     {
@@ -164,8 +162,8 @@ struct vtkIndirectComposite::Internals
     {
       return;
     }
-    for (const vtkIndirectTarget* target :
-      { input.Estimate->Irradiance, input.Estimate->Coarse, input.Estimate->Glossy })
+    for (const vtkIndirectTarget* target : std::initializer_list<const vtkIndirectTarget*>{
+           input.Estimate->Irradiance, input.Estimate->Coarse, input.Estimate->Glossy })
     {
       if (target)
       {

@@ -10,6 +10,7 @@
 class vtkAreaLight;
 class vtkEnvironmentLight;
 class vtkIndirectGeometryBuffer;
+class vtkIndirectReceiverGrid;
 class vtkIndirectSkyProjection;
 class vtkIndirectStageTimer;
 class vtkIndirectTarget;
@@ -68,13 +69,12 @@ struct vtkIndirectEstimate
    */
   const vtkIndirectTarget* Irradiance = nullptr;
   /**
-   * Irradiance at every Step-th pixel from border to border, null if each pixel has a value of its
+   * Irradiance at every few pixels from border to border, null if each pixel has a value of its
    * own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth component is
    * the kind of the cell of pixels whose first corner is the sample: VTKI_CELL_EMPTY, _WHOLE or
    * _MIXED.
    */
-  const vtkIndirectTarget* Coarse = nullptr;
-  int Step = 1;
+  const vtkIndirectReceiverGrid* Coarse = nullptr;
   /** Radiance that lobes of a specular coefficient of one reflect, over Unit; null for none. */
   const vtkIndirectTarget* Glossy = nullptr;
   ///@{

@@ -205,6 +205,11 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
   {
     this->WalkedBounces = this->SampledBounces;
   }
+  this->LastBounce = std::max(this->NumberOfBounces, this->WalkedBounces);
+  if (circumstances.SamplerWalks || circumstances.OtherSamplerWalks)
+  {
+    this->LastBounce = std::max(this->LastBounce, this->SampledBounces);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -159,6 +159,7 @@ struct vtkIndirectPlan
    * bounces; 0: there is no walk.
    */
   int WalkedBounces = 0;
+  int LastBounce = 1; // the last bounce that an estimator, a sampler or the walk computes
   ///@{
   /**
    * The relative error that the light of the frame aims at, the user's or the standard one, and

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <charconv>
+#include <type_traits>
 
 using JSON = nlohmann::ordered_json;
 
@@ -74,9 +75,21 @@ void vtkIndirectReport::ReadGL()
 std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
 {
   JSON settings = JSON::object();
-  for (const auto& setting : this->Settings)
+  for (const auto& setting : this->Settings.GetEntries())
   {
-    std::visit([&](auto value) { settings[setting.first] = value; }, setting.second);
+    std::visit(
+      [&](const auto& value)
+      {
+        if constexpr (std::is_same_v<std::decay_t<decltype(value)>, vtkIndirectSettingList::Choice>)
+        {
+          settings[setting.first] = value.GetScriptName();
+        }
+        else
+        {
+          settings[setting.first] = value;
+        }
+      },
+      setting.second);
   }
   JSON stages = JSON::object();
   for (int stage = 0; stage < vtkIndirectStageTimer::Frame; ++stage)

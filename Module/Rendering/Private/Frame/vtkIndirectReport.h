@@ -3,11 +3,12 @@
 #ifndef vtkIndirectReport_h
 #define vtkIndirectReport_h
 
+#include "Frame/vtkIndirectSettingList.h" // for settings
+
 #include <cstddef> // for size_t
 #include <map>     // for counters
 #include <string>  // for names
 #include <utility> // for pairs
-#include <variant> // for settings
 #include <vector>  // for lists
 
 class vtkIndirectStageTimer;
@@ -18,8 +19,7 @@ struct vtkIndirectReport
 
   int Size[2] = { 0, 0 };
   std::string Method = "off";
-  using Setting = std::variant<bool, int, double>;
-  std::vector<std::pair<std::string, Setting>> Settings;
+  vtkIndirectSettingList Settings;
   Entries Modelled;
   Entries LeftOut;
   int VirtualLights = 0;

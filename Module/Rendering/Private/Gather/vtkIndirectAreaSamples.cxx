@@ -16,8 +16,6 @@ namespace
 const vtkIndirectChannel OpenChannels[] = {
   { "area.open", "vtkiAreaOpen", "irradiance if nothing hid area lights; distance", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { "area.openPlane", "vtkiAreaOpenPlane", "normal, and height along it", GL_RGBA32F, "view",
-    "scene" },
   { "area.openFront", "vtkiAreaOpenFront", "a bit for each lamp that sends light to its side of it",
     GL_RGBA32F, "-", "-" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
@@ -25,7 +23,6 @@ const vtkIndirectChannel OpenChannels[] = {
 const vtkIndirectChannel SampleChannels[] = {
   { "area.light", "vtkiAreaLight", "irradiance from area lights; distance over that of samples",
     GL_RGBA32F, "-", "VTK irradiance" },
-  { "area.plane", "vtkiAreaPlane", "normal, and height along it", GL_RGBA32F, "view", "scene" },
   { "area.share", "vtkiAreaShare", "share of it that is seen", GL_RGBA32F, "-", "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
@@ -36,47 +33,25 @@ constexpr int OpenStep = 8;
 constexpr int SampleStep = 4;
 // These lamps with their points take less than 16384 bytes, which every OpenGL allows for a block.
 constexpr size_t LampsOfBatch = 8;
-
-int DivideUp(int number, int step)
-{
-  return (number + step - 1) / step;
-}
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectAreaSamples::vtkIndirectAreaSamples()
   : Block(LampsOfBatch, NumberOfPoints)
-  , Open(OpenChannels, false)
-  , Samples(SampleChannels, false)
+  , Open(OpenChannels)
+  , Samples(SampleChannels)
 {
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectAreaSamples::Resize(const Input& input)
-{
-  const vtkIndirectFrame& frame = input.Frame;
-  const int* const size = frame.Size;
-  // One more place at the border puts each pixel between four places.
-  return this->Open.Resize(
-           frame.Window, DivideUp(size[0], OpenStep) + 1, DivideUp(size[1], OpenStep) + 1) &&
-    this->Samples.Resize(
-      frame.Window, DivideUp(size[0], SampleStep) + 1, DivideUp(size[1], SampleStep) + 1);
-}
-
-//------------------------------------------------------------------------------
-std::string vtkIndirectAreaSamples::GetDefinitions(const Input& input, const Batch& batch) const
-{
-  return std::string(input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
-    (batch.Images > 0 ? "#define VTKI_AREA_IMAGE\n" : "") + this->Block.GetDefinitions() +
-    "#define VTKI_AREA_DISTANCES " + std::to_string(input.Distances) +
-    ".0f\n#define VTKI_AREA_STEP " + std::to_string(OpenStep) + "\n";
 }
 
 //------------------------------------------------------------------------------
 vtkShaderProgram* vtkIndirectAreaSamples::Use(
-  const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel)
+  const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel, int step)
 {
-  vtkShaderProgram* program = kernel.Use(input.Frame.Window, this->GetDefinitions(input, batch));
+  vtkShaderProgram* program = kernel.Use(input.Frame.Window,
+    std::string(input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
+      (batch.Images > 0 ? "#define VTKI_AREA_IMAGE\n" : "") + this->Block.GetDefinitions() +
+      "#define VTKI_AREA_DISTANCES " + std::to_string(input.Distances) + ".0f\n" +
+      vtkIndirectReceiverGrid::DefineStep(step));
   if (!program)
   {
     return nullptr;
@@ -116,7 +91,7 @@ void vtkIndirectAreaSamples::Deactivate(const Input& input, const Batch& batch)
 bool vtkIndirectAreaSamples::FindOpen(const Input& input, const Batch& batch)
 {
   this->Open.Begin();
-  const bool done = this->Use(input, batch, this->OpenKernel) != nullptr;
+  const bool done = this->Use(input, batch, this->OpenKernel, OpenStep) != nullptr;
   if (done)
   {
     this->OpenKernel.Draw();
@@ -130,14 +105,10 @@ bool vtkIndirectAreaSamples::FindOpen(const Input& input, const Batch& batch)
 bool vtkIndirectAreaSamples::FindSamples(const Input& input, const Batch& batch)
 {
   this->Samples.Begin();
-  vtkShaderProgram* program = this->Use(input, batch, this->SampleKernel);
+  vtkShaderProgram* program = this->Use(input, batch, this->SampleKernel, OpenStep);
   if (program)
   {
-    const int open[2] = { this->Open.GetWidth(), this->Open.GetHeight() };
-    program->SetUniform2i("vtkiAreaOpenSize", open);
-    this->Open.Activate(0, program);
-    this->Open.Activate(1, program);
-    this->Open.Activate(2, program);
+    this->Open.ActivateAll(program);
     this->SampleKernel.Draw();
     this->Open.Deactivate();
   }
@@ -151,17 +122,10 @@ bool vtkIndirectAreaSamples::Interpolate(
   const Input& input, const Batch& batch, vtkIndirectTarget& irradiance)
 {
   irradiance.Begin();
-  vtkShaderProgram* program = this->Use(input, batch, this->SumKernel);
+  vtkShaderProgram* program = this->Use(input, batch, this->SumKernel, SampleStep);
   if (program)
   {
-    const int samples[2] = { this->Samples.GetWidth(), this->Samples.GetHeight() };
-    program->SetUniform2i("vtkiAreaSamples", samples);
-    this->Samples.Activate(0, program);
-    this->Samples.Activate(1, program);
-    if (input.Maps)
-    {
-      this->Samples.Activate(2, program);
-    }
+    this->Samples.ActivateAll(program);
     vtkOpenGLState* state = input.Frame.Window->GetState();
     // The first batch writes, the others add.
     state->vtkglBlendFunc(GL_ONE, GL_ONE);
@@ -190,7 +154,8 @@ bool vtkIndirectAreaSamples::Sum(const Input& input, vtkIndirectTarget& irradian
     {
       batch.Images += lamps[first + i]->Row >= 0 ? 1 : 0;
     }
-    done = this->Resize(input);
+    done =
+      this->Open.Resize(input.Frame, OpenStep) && this->Samples.Resize(input.Frame, SampleStep);
     if (done)
     {
       this->Block.Update(input.Frame.Window, input.Lamps, first, batch.Count, input.Maps);

@@ -8,10 +8,11 @@
 #ifndef vtkIndirectAreaSamples_h
 #define vtkIndirectAreaSamples_h
 
+#include "Capture/vtkIndirectReceiverGrid.h"     // for members
 #include "Gather/vtkIndirectAreaBlock.h"         // for a member
 #include "Gather/vtkIndirectAreaLamps.h"         // for lamps
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
-#include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "OpenGL/vtkIndirectTarget.h"            // for targets
 
 #include <string> // for definitions
 
@@ -60,18 +61,16 @@ private:
     int Images;
   };
 
-  bool Resize(const Input& input);
-  std::string GetDefinitions(const Input& input, const Batch& batch) const;
   vtkShaderProgram* Use(
-    const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel);
+    const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel, int step);
   void Deactivate(const Input& input, const Batch& batch);
   bool FindOpen(const Input& input, const Batch& batch);
   bool FindSamples(const Input& input, const Batch& batch);
   bool Interpolate(const Input& input, const Batch& batch, vtkIndirectTarget& irradiance);
 
   vtkIndirectAreaBlock Block;
-  vtkIndirectTarget Open;
-  vtkIndirectTarget Samples;
+  vtkIndirectReceiverGrid Open;
+  vtkIndirectReceiverGrid Samples;
   vtkIndirectFullScreenProgram OpenKernel{ "vtkIndirectAreaOpenFS.glsl" };
   vtkIndirectFullScreenProgram SampleKernel{ "vtkIndirectAreaSamplesFS.glsl" };
   vtkIndirectFullScreenProgram SumKernel{ "vtkIndirectAreaSumFS.glsl" };

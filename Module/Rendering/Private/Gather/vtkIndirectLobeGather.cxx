@@ -29,7 +29,7 @@ constexpr double Least = 1e-3;
 
 //------------------------------------------------------------------------------
 vtkIndirectLobeGather::vtkIndirectLobeGather()
-  : Coarse(CoarseChannels, false)
+  : Coarse(CoarseChannels)
 {
 }
 
@@ -60,9 +60,7 @@ bool vtkIndirectLobeGather::Add(
   }
   else
   {
-    const int* size = input.Frame.Size;
-    if (!this->Coarse.Resize(
-          window, (size[0] + 2 * step - 2) / step, (size[1] + 2 * step - 2) / step))
+    if (!this->Coarse.Resize(input.Frame, step))
     {
       return false;
     }
@@ -118,7 +116,7 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
   vtkIndirectSetEyeUniforms(program, frame);
   program->SetUniform2i("vtkiSize", frame.Size);
   program->SetUniformf("vtkiStorageScale", static_cast<float>(1.0 / unit));
-  program->SetUniformi("vtkiStep", step);
+  this->Coarse.SetUniforms(program);
   const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
   geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
   if (&kernel == &this->InGlossy)
@@ -130,9 +128,7 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
   lights.ActivateLobes(program);
   if (interpolates)
   {
-    const int coarse[2] = { this->Coarse.GetWidth(), this->Coarse.GetHeight() };
-    this->Coarse.Activate(0, program);
-    program->SetUniform2i("vtkiCoarseSize", coarse);
+    this->Coarse.ActivateAll(program);
     program->SetUniformf("vtkiTolerance", static_cast<float>(tolerance));
     program->SetUniformf("vtkiLeast", static_cast<float>(Least * input.Plan.IrradianceUnit));
   }

@@ -5,9 +5,10 @@
 #ifndef vtkIndirectLobeGather_h
 #define vtkIndirectLobeGather_h
 
+#include "Capture/vtkIndirectReceiverGrid.h"     // for a member
 #include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
-#include "OpenGL/vtkIndirectTarget.h"            // for a member
+#include "OpenGL/vtkIndirectTarget.h"            // for targets
 
 #include <string> // for definitions
 
@@ -47,7 +48,7 @@ private:
     const std::string& definitions, vtkIndirectTarget& target, double unit, int step,
     double tolerance, int rowsPerDraw);
 
-  vtkIndirectTarget Coarse;
+  vtkIndirectReceiverGrid Coarse;
   vtkIndirectFullScreenProgram AtSamples{ "vtkIndirectLobeFS.glsl" };
   vtkIndirectFullScreenProgram AtPixels{ "vtkIndirectLobeFS.glsl" };
   vtkIndirectFullScreenProgram InGlossy{ "vtkIndirectLobeFS.glsl" };

@@ -5,6 +5,7 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "vtkIndirectEstimatorPass.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -85,6 +86,14 @@ vtkIndirectEstimate vtkIndirectSum::MakeEstimate(const Input& input)
 {
   this->EstimateTime.Modified();
   return this->Estimate(input);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan*) const
+{
+  list.Add("SpecularTransport", this->Pass.GetSpecularTransport())
+    .Add("Occupancy", this->Pass.GetOccupancy())
+    .Add("OccupancyResolution", this->Pass.GetOccupancyResolution());
 }
 
 //------------------------------------------------------------------------------

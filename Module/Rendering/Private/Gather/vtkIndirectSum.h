@@ -18,6 +18,7 @@
 
 class vtkIndirectContextGuard;
 class vtkIndirectEstimatorPass;
+class vtkIndirectSettingList;
 struct vtkIndirectReport;
 
 class vtkIndirectSum
@@ -53,6 +54,11 @@ public:
   /** Makes the frame's irradiance; see Estimate. */
   vtkIndirectEstimate MakeEstimate(const Input& input);
 
+  /**
+   * Adds the estimator's settings: those in force in the last frame, of this plan, or, for null,
+   * those that are set.
+   */
+  virtual void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const;
   /** Returns the facts that the plan needs of it, for an error tolerance of the user. */
   virtual vtkIndirectAbilities GetAbilities(double tolerance) const;
   /** Returns its needs of the visibility stage. Default: as planned. */

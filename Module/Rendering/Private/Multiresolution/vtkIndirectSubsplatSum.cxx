@@ -5,6 +5,7 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
@@ -45,6 +46,27 @@ vtkIndirectSubsplatSum::vtkIndirectSubsplatSum(vtkMultiresolutionSplattingPass& 
   : vtkIndirectSum(pass)
   , Set(pass)
 {
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatSum::AddSettings(
+  vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
+{
+  using Choice = vtkIndirectSettingList::Choice;
+  const auto& set = this->Set.Settings;
+  const double tolerance = plan ? plan->EstimatorErrorTolerance : 0.0;
+  this->vtkIndirectSum::AddSettings(list, plan);
+  list
+    .Add(
+      "Preset", Choice{ set.Preset == vtkMultiresolutionSplattingPass::PAPER ? "Paper" : "Robust" })
+    .Add("FinestLevel",
+      Choice{ set.FinestLevel == vtkMultiresolutionSplattingPass::FULL_RESOLUTION
+          ? "FullResolution"
+          : "HalfResolution" })
+    .Add("DepthThreshold", set.DepthThreshold.Scale(tolerance))
+    .Add("PlaneThreshold", set.PlaneThreshold.Scale(tolerance))
+    .Add("NormalThreshold", set.NormalThreshold.Scale(tolerance))
+    .Add("SurfaceDetail", set.SurfaceDetail);
 }
 
 //------------------------------------------------------------------------------

@@ -21,6 +21,7 @@ class vtkIndirectSubsplatSum : public vtkIndirectSum
 public:
   explicit vtkIndirectSubsplatSum(vtkMultiresolutionSplattingPass& pass);
 
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;

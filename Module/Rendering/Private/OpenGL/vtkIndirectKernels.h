@@ -59,7 +59,7 @@ namespace
 #include "vtkIndirectLibSplat.glsl"
 #include "vtkIndirectLibSubsplat.glsl"
 #include "vtkIndirectLibShadow.glsl"
-#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectLibReceiverGrid.glsl"
 #include "vtkIndirectLibSampling.glsl"
 #include "vtkIndirectLibImportance.glsl"
 #include "vtkIndirectLibColor.glsl"

@@ -52,7 +52,7 @@ void FinishImages()
 vtkIndirectProxySums::vtkIndirectProxySums()
   : SenderLight(SenderLightChannels, false)
   , AllLight(SentLightChannels, false)
-  , Coarse(CoarseChannels, false)
+  , Coarse(CoarseChannels)
   , Shared(SharedChannels, false)
   , Counts(CountChannels, false)
   , Blended(BlendedChannels, false)
@@ -203,7 +203,7 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
   // Receivers from border to border.
   for (int i = 0; i < 2; ++i)
   {
-    this->CoarseSize[i] = (frame.Size[i] - 1 + input.Step - 1) / input.Step + 1;
+    this->CoarseSize[i] = vtkIndirectReceiverGrid::Count(frame.Size[i], input.Step);
   }
   const bool coarse = input.Step > 1;
   if (!coarse)
@@ -216,7 +216,7 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
   else
   {
     this->Coarse.SetNumberOfChannels(sends ? 4 : 3);
-    if (!this->Coarse.Resize(frame.Window, this->CoarseSize[0], this->CoarseSize[1]))
+    if (!this->Coarse.Resize(frame, input.Step))
     {
       return false;
     }
@@ -463,7 +463,7 @@ bool vtkIndirectProxySums::Upsample(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
   vtkShaderProgram* program = this->Upsampling.Use(
-    input.Frame.Window, definitions + "#define VTKI_STEP " + std::to_string(input.Step) + "\n");
+    input.Frame.Window, definitions + vtkIndirectReceiverGrid::DefineStep(input.Step));
   if (!program)
   {
     return false;
@@ -479,10 +479,7 @@ bool vtkIndirectProxySums::Upsample(
   glDepthRange(1.0, 1.0);
   state->vtkglDepthFunc(GL_GREATER);
   this->Activate(input, program);
-  for (int i = 0; i < this->Coarse.GetNumberOfChannels(); ++i)
-  {
-    this->Coarse.Activate(i, program);
-  }
+  this->Coarse.ActivateAll(program);
   this->Upsampling.Draw();
   this->Coarse.Deactivate();
   this->Deactivate(input);
@@ -503,8 +500,9 @@ size_t vtkIndirectProxySums::GetBytes() const
 {
   size_t bytes = this->Tables.GetBytes() + this->Mesh.GetBytes() + this->Light.GetBytes() +
     this->Rest.GetBytes();
-  for (const vtkIndirectTarget* target : { &this->SenderLight, &this->AllLight, &this->Coarse,
-         &this->Shared, &this->Counts, &this->Blended })
+  for (const vtkIndirectTarget* target :
+    std::initializer_list<const vtkIndirectTarget*>{ &this->SenderLight, &this->AllLight,
+      &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
   {
     bytes += target->GetBytes();
   }
@@ -514,8 +512,8 @@ size_t vtkIndirectProxySums::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectProxySums::Release(vtkWindow* window)
 {
-  for (vtkIndirectTarget* target : { &this->SenderLight, &this->AllLight, &this->Coarse,
-         &this->Shared, &this->Counts, &this->Blended })
+  for (vtkIndirectTarget* target : std::initializer_list<vtkIndirectTarget*>{ &this->SenderLight,
+         &this->AllLight, &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
   {
     target->Release(window);
   }

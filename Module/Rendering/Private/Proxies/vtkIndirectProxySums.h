@@ -5,6 +5,7 @@
 #ifndef vtkIndirectProxySums_h
 #define vtkIndirectProxySums_h
 
+#include "Capture/vtkIndirectReceiverGrid.h"     // for a member
 #include "OpenGL/vtkIndirectCommandBuffer.h"     // for a member
 #include "OpenGL/vtkIndirectComputeProgram.h"    // for members
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
@@ -75,7 +76,7 @@ private:
   int CoarseSize[2] = { 0, 0 };
   vtkIndirectTarget SenderLight; // light that falls on senders
   vtkIndirectTarget AllLight;    // that light and its means, in pairs
-  vtkIndirectTarget Coarse;
+  vtkIndirectReceiverGrid Coarse;
   vtkIndirectTarget Shared;  // receivers of tiles
   vtkIndirectTarget Counts;  // number of receivers
   vtkIndirectTarget Blended; // sums

@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectReport.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "LightMaps/vtkIndirectLightMaps.h"
 #include "RadianceHints/vtkIndirectHintRegions.h"
@@ -37,11 +38,37 @@ const vtkIndirectChannel CoarseChannels[] = {
 vtkIndirectHintSum::vtkIndirectHintSum(vtkRadianceHintsPass& pass)
   : vtkIndirectSum(pass)
   , Set(pass)
-  , Coarse{ { CoarseChannels, false }, { CoarseChannels, false } }
+  , Coarse{ vtkIndirectReceiverGrid(CoarseChannels), vtkIndirectReceiverGrid(CoarseChannels) }
   , Senders(std::make_shared<vtkIndirectHintSenders>(&pass))
 {
   // With depth, which marks the pixels that interpolation has left.
   this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true, 16);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintSum::AddSettings(
+  vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
+{
+  using Choice = vtkIndirectSettingList::Choice;
+  const auto& set = this->Set.Settings;
+  std::array<int, 3> hints = { set.GridResolution[0], set.GridResolution[1],
+    set.GridResolution[2] };
+  if (plan && !this->GridSettings.Regions.empty())
+  {
+    const auto& size = this->GridSettings.Regions.front().Size;
+    hints = { size.x, size.y, size.z };
+  }
+  this->vtkIndirectSum::AddSettings(list, plan);
+  list.Add("Preset", Choice{ set.Preset == vtkRadianceHintsPass::PAPER ? "Paper" : "Robust" })
+    .Add("Order", set.Order)
+    .Add("Extent", Choice{ set.Extent == vtkRadianceHintsPass::SCENE ? "Scene" : "View" })
+    .Add("GridResolution", hints)
+    .Add("NumberOfGrids", set.NumberOfGrids)
+    .Add("FineGridExtent", set.FineGridExtent)
+    .Add("NumberOfSamples", set.NumberOfSamples)
+    .Add("DepthOcclusion", set.DepthOcclusion)
+    .Add("InterpolationStep", set.InterpolationStep)
+    .Add("TemporalSmoothing", set.TemporalSmoothing);
 }
 
 //------------------------------------------------------------------------------
@@ -61,7 +88,7 @@ std::string vtkIndirectHintSum::GetLookupDefinitions(int step) const
 {
   return vtkIndirectHintFields::GetLookupDefinitions(
            this->FieldSettings, this->Grid.GetNumberOfGrids()) +
-    "#define VTKI_STEP " + std::to_string(step) + "\n";
+    vtkIndirectReceiverGrid::DefineStep(step);
 }
 
 //------------------------------------------------------------------------------
@@ -153,10 +180,10 @@ vtkIndirectEstimate vtkIndirectHintSum::Estimate(const Input& input)
   }
   vtkIndirectEstimate result = this->MakeResult();
   result.State = this->Converged ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::REFINING;
-  const vtkIndirectTarget& coarse = this->Coarse[this->CoarseNow];
-  result.Irradiance = this->Step > 1 ? result.Irradiance : &coarse;
-  result.Coarse = this->Step > 1 ? &coarse : nullptr;
-  result.Step = this->Step;
+  const vtkIndirectReceiverGrid& coarse = this->GetCoarse();
+  const bool interpolated = coarse.GetStep() > 1;
+  result.Irradiance = interpolated ? result.Irradiance : &coarse;
+  result.Coarse = interpolated ? &coarse : nullptr;
   return result;
 }
 
@@ -248,12 +275,15 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
   vtkIndirectStageTimer& timer = input.Timer;
   const vtkIndirectFrame& frame = input.Frame;
   const int step = this->Set.Settings.InterpolationStep;
-  const int width = (frame.Size[0] + 2 * step - 2) / step;
-  const int height = (frame.Size[1] + 2 * step - 2) / step;
   const bool smooth = this->Set.Settings.TemporalSmoothing > 0.0;
-  const bool kept = this->CoarseValid && this->Coarse[this->CoarseNow].GetWidth() == width &&
-    this->Coarse[this->CoarseNow].GetHeight() == height;
   const int next = smooth ? 1 - this->CoarseNow : 0;
+  if (!this->Coarse[next].Resize(frame, step))
+  {
+    return false;
+  }
+  const vtkIndirectTarget& last = this->Coarse[this->CoarseNow];
+  const bool kept = this->CoarseValid && last.GetWidth() == this->Coarse[next].GetWidth() &&
+    last.GetHeight() == this->Coarse[next].GetHeight();
   this->StillFrames = input.Still ? this->StillFrames + 1 : 0;
   // After as many frames and the one that brought a difference less is left of it than can be seen:
   // then look-ups come to rest.
@@ -264,17 +294,12 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
   this->Converged = !mix;
   const std::string definitions = this->GetLookupDefinitions(step);
   this->LookUpKernel.SetDefinitions(definitions + (mix ? "#define VTKI_KEEP\n" : ""));
-  if (!this->Coarse[next].Resize(frame.Window, width, height))
-  {
-    return false;
-  }
   vtkShaderProgram* program = this->LookUpKernel.Use(frame.Window, this->Coarse[next]);
   if (!program)
   {
     return false;
   }
 
-  this->Step = step;
   timer.Begin(vtkIndirectStageTimer::Estimate);
   this->Coarse[next].Begin();
   this->ActivateLookup(program, input);
@@ -307,9 +332,9 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
 bool vtkIndirectHintSum::FillMixedCells(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  vtkIndirectTarget& coarse = this->Coarse[this->CoarseNow];
+  vtkIndirectReceiverGrid& coarse = this->Coarse[this->CoarseNow];
   const int cells = coarse.GetWidth() * coarse.GetHeight();
-  const int step = this->Set.Settings.InterpolationStep;
+  const int step = coarse.GetStep();
   const std::string definitions = this->GetLookupDefinitions(step);
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {
@@ -334,9 +359,7 @@ bool vtkIndirectHintSum::FillMixedCells(const Input& input)
       break;
     }
     this->ActivateLookup(program, input);
-    coarse.Activate(0, program);
-    const int size[2] = { coarse.GetWidth(), coarse.GetHeight() };
-    program->SetUniform2i("vtkiCoarseSize", size);
+    coarse.ActivateAll(program);
     points->Draw(cells, step);
     coarse.Deactivate();
     this->DeactivateLookup(input);

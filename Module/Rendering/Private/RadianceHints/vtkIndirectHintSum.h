@@ -4,7 +4,8 @@
 #ifndef vtkIndirectHintSum_h
 #define vtkIndirectHintSum_h
 
-#include "Frame/vtkIndirectKey.h" // for keys
+#include "Capture/vtkIndirectReceiverGrid.h" // for members
+#include "Frame/vtkIndirectKey.h"            // for keys
 #include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"  // for members
 #include "OpenGL/vtkIndirectPointProgram.h"       // for members
@@ -19,6 +20,7 @@ class vtkIndirectHintSum : public vtkIndirectSum
 public:
   explicit vtkIndirectHintSum(vtkRadianceHintsPass& pass);
 
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
@@ -28,7 +30,7 @@ public:
   void AddToReport(vtkIndirectReport& report) const override;
 
   /** The irradiance of the last frame at every Step-th pixel. */
-  const vtkIndirectTarget& GetCoarse() const { return this->Coarse[this->CoarseNow]; }
+  const vtkIndirectReceiverGrid& GetCoarse() const { return this->Coarse[this->CoarseNow]; }
 
   /** Place of a hint in scene units and its field: `Order` squared numbers each for three colours,
    * first the reds; order 3 in RGB only. For tests. */
@@ -61,12 +63,11 @@ private:
   vtkIndirectHintGrid::Settings GridSettings;
   vtkIndirectHintFields Fields;
   vtkIndirectHintFields::Settings FieldSettings; // of the last frame
-  vtkIndirectTarget Coarse[2];
+  vtkIndirectReceiverGrid Coarse[2];
   int CoarseNow = 0;
   bool CoarseValid = false;
   int StillFrames = 0;   // since something changed
   bool Converged = true; // the last look-up kept nothing of those before it
-  int Step = 1; // of the last look-up: its buffers stay readable when InterpolationStep changes
   vtkIndirectFullScreenProgram LookUpKernel{ "vtkIndirectHintFS.glsl" };
   vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
   vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };

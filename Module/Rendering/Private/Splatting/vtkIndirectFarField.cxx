@@ -36,14 +36,14 @@ std::string GetDefinitions(
   // Pixels without a nearby sample of their orientation are summed anew, or, with too many lights
   // for one draw, get no far field.
   return visibility.GetDefinitions() + input.Lights->GetDefinitions() +
-    table.GetDefinitions(input.Lights->HasLobes()) + "#define VTKI_STEP " + std::to_string(step) +
-    "\n" + (many ? "#define VTKI_SPLAT_MANY\n" : "");
+    table.GetDefinitions(input.Lights->HasLobes()) + vtkIndirectReceiverGrid::DefineStep(step) +
+    (many ? "#define VTKI_SPLAT_MANY\n" : "");
 }
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectFarField::vtkIndirectFarField()
-  : Coarse(CoarseChannels, false)
+  : Coarse(CoarseChannels)
 {
 }
 
@@ -53,8 +53,7 @@ bool vtkIndirectFarField::Sum(
 {
   const vtkIndirectFrame& frame = input.Frame;
   this->ShareIsKnown = false;
-  if (!this->Coarse.Resize(
-        frame.Window, (frame.Size[0] + 2 * step - 2) / step, (frame.Size[1] + 2 * step - 2) / step))
+  if (!this->Coarse.Resize(frame, step))
   {
     return false;
   }
@@ -107,10 +106,7 @@ bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   table.Activate(input, program);
-  this->Coarse.Activate(0, program);
-  this->Coarse.Activate(1, program);
-  const int size[2] = { this->Coarse.GetWidth(), this->Coarse.GetHeight() };
-  program->SetUniform2i("vtkiCoarseSize", size);
+  this->Coarse.ActivateAll(program);
   this->Interpolate.Draw();
   this->Coarse.Deactivate();
   table.Deactivate(input);

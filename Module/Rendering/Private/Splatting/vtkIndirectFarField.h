@@ -4,9 +4,10 @@
 #ifndef vtkIndirectFarField_h
 #define vtkIndirectFarField_h
 
+#include "Capture/vtkIndirectReceiverGrid.h"     // for a member
 #include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
-#include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "OpenGL/vtkIndirectTarget.h"            // for targets
 
 class vtkIndirectSplatTable;
 
@@ -36,7 +37,7 @@ public:
   void Release(vtkWindow* window);
 
 private:
-  vtkIndirectTarget Coarse;
+  vtkIndirectReceiverGrid Coarse;
   vtkIndirectFullScreenProgram SumCoarse{ "vtkIndirectFarFieldFS.glsl" };
   vtkIndirectFullScreenProgram Interpolate{ "vtkIndirectFarFieldAddFS.glsl" };
   mutable double Share = 0.0;

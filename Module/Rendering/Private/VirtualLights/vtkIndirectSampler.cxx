@@ -4,6 +4,7 @@
 #include "VirtualLights/vtkIndirectSampler.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectLightTable.h"
@@ -36,6 +37,15 @@ vtkIndirectSampler::Pointer vtkIndirectSampler::Get(vtkVirtualLightSampler* samp
   }
   const auto held = std::make_shared<vtkSmartPointer<vtkVirtualLightSampler>>(sampler);
   return Pointer(held, sampler->Lights.get());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSampler::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan*) const
+{
+  if (this->Owner)
+  {
+    list.Add("NumberOfLights", this->Owner->GetNumberOfLights());
+  }
 }
 
 //------------------------------------------------------------------------------

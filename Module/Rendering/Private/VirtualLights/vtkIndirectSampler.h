@@ -15,6 +15,7 @@
 class vtkIndirectContextGuard;
 class vtkIndirectGeometryBuffer;
 class vtkIndirectMapSampler;
+class vtkIndirectSettingList;
 class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
 class vtkIndirectLightMaps;
@@ -23,6 +24,7 @@ class vtkWindow;
 struct vtkIndirectEmitter;
 struct vtkIndirectFrame;
 struct vtkIndirectFurtherSenders;
+struct vtkIndirectPlan;
 struct vtkIndirectReport;
 
 /** The properties of a sampler that the rest of a frame depends on. */
@@ -117,6 +119,11 @@ public:
   /** Releases all resources in the window's context; does nothing without a window. */
   void Release(vtkWindow* window);
 
+  /**
+   * Adds the owner's settings: those in force in the last frame, of this plan, or, for null, those
+   * that are set.
+   */
+  virtual void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const;
   /** Brings the lights up to date. Returns false, after an error, when that fails. */
   virtual bool Update(const Input& input) = 0;
   /** Returns the abilities. Default: the owner's number of lights, and nothing else. */

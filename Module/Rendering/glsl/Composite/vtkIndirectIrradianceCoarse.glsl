@@ -1,11 +1,9 @@
 // Irradiance interpolated from the hints' values at every vtkiStep-th pixel. If the cell of pixels
 // between four samples is one surface, this is their bilinear mean; vtkIndirectHintCell.glsl has
 // tested that once a cell. Pixels of mixed cells have their own value.
-#include "vtkIndirectStep.glsl"
-#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 
 uniform sampler2D vtkiCoarse;
-uniform ivec2 vtkiCoarseSize;
 uniform sampler2D vtkiIrradiance;
 
 // position: centre of a pixel, in pixels of the view.

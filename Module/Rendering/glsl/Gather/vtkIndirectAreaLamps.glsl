@@ -1,15 +1,12 @@
 // Area lights of a moving frame: irradiance without occlusion, and the share that shadow tests from
 // points of the lights leave. VTKI_AREA_LAMPS: lamps in the block; VTKI_AREA_POINTS: points of
-// each; VTKI_VISIBILITY: without it lamps cast no shadow; VTKI_AREA_IMAGE: some lamps have images;
-// VTKI_AREA_STEP: pixels between positions where unoccluded irradiance is known.
+// each; VTKI_VISIBILITY: without it lamps cast no shadow; VTKI_AREA_IMAGE: some lamps have images.
 #ifndef VTKI_AREA_LAMPS
 #define VTKI_AREA_LAMPS 16
 #define VTKI_AREA_POINTS 16
-#define VTKI_AREA_STEP 8
 #endif
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibAreaLight.glsl"
-#include "vtkIndirectLibInterpolation.glsl"
 #ifdef VTKI_VISIBILITY
 #include "vtkIndirectDepthWindows.glsl"
 #endif

@@ -1,18 +1,16 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // At one pixel of each block: irradiance of area lights, which is the interpolated unoccluded
-// irradiance times the visible share; that share, which four surrounding pixels find by testing all
-// points between them; and the surface's plane.
+// irradiance times the visible share; and that share, which four surrounding pixels find by testing
+// all points between them.
 #include "vtkIndirectAreaLamps.glsl"
 #include "vtkIndirectAreaSamples.glsl"
 
-uniform sampler2D vtkiAreaOpen; // at every VTKI_AREA_STEP-th pixel
-uniform sampler2D vtkiAreaOpenPlane;
+uniform sampler2D vtkiAreaOpen; // at every vtkiStep-th pixel
 uniform sampler2D vtkiAreaOpenFront;
-uniform ivec2 vtkiAreaOpenSize;
 
 #ifdef VTKI_VISIBILITY
-vec3 vtkiFindShare(ivec2 pixel, vtkiReceiver receiver, vec4 plane, float width, bool lit)
+vec3 vtkiFindShare(ivec2 pixel, vtkiReceiver receiver, float width, bool lit)
 {
   vec3 seen = vec3(0.0f);
   vec3 all = vec3(0.0f);
@@ -21,8 +19,9 @@ vec3 vtkiFindShare(ivec2 pixel, vtkiReceiver receiver, vec4 plane, float width, 
   {
     ivec2 at = pixel + 2 * ivec2(k & 1, k >> 1) - 1;
     vtkiReceiver probe;
-    bool same = vtkiFetchReceiver(clamp(at, ivec2(0), vtkiSize - 1), probe);
-    same = vtkiIsOnPlane(plane, probe, VTKI_INTERPOLATION_DISTANCE * width, VTKI_INTERPOLATION_COSINE) && same;
+    bool same = vtkiFetchReceiver(clamp(at, ivec2(0), vtkiSize - 1), probe) &&
+      vtkiLiesOnPlane(probe.positionVC - receiver.positionVC, probe.facetVC, receiver.facetVC,
+        VTKI_INTERPOLATION_COSINE, VTKI_INTERPOLATION_DISTANCE * width);
     // Beside thin things the block's pixel tests the points of its four neighbours.
     probe.position = same ? probe.position : receiver.position;
     probe.normal = same ? probe.normal : receiver.normal;
@@ -38,11 +37,9 @@ void main()
   ivec2 pixel = min(VTKI_AREA_BLOCK * ivec2(gl_FragCoord.xy), vtkiSize - 1);
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver);
-  vec4 plane = lit ? vec4(receiver.facetVC, dot(receiver.facetVC, receiver.positionVC)) : vec4(0.0f);
-  float width = vtkiPixelWidth(receiver.depth);
+  float width = vtkiSampleDistance(receiver.depth) / float(vtkiStep);
   float tolerance = VTKI_INTERPOLATION_DISTANCE * width;
-  ivec2 cell = pixel / VTKI_AREA_STEP;
-  vec2 between = vtkiBetween(pixel, cell, VTKI_AREA_STEP);
+  vtkiGridCell cell = vtkiFindCell(pixel);
   vec3 open = vec3(0.0f);
   float weights = 0.0f;
   float nearest = 1.0e30f;
@@ -50,22 +47,20 @@ void main()
   float most = 0.0f;
   for (int k = 0; k < 4; ++k)
   {
-    vec2 place = (vec2(cell + ivec2(k & 1, k >> 1)) + 0.5f) / vec2(vtkiAreaOpenSize);
-    vec4 light = textureLod(vtkiAreaOpen, place, 0.0f);
-    bool same = vtkiIsOnPlane(
-      textureLod(vtkiAreaOpenPlane, place, 0.0f), receiver, tolerance, VTKI_AREA_COSINE);
-    float weight = vtkiBilinear(between, k);
-    open += same ? weight * light.rgb : vec3(0.0f);
-    weights += same ? weight : 0.0f;
+    vtkiSample other = vtkiFetchSample(cell, k);
+    vec4 light = textureLod(vtkiAreaOpen, other.place, 0.0f);
+    bool same = vtkiIsNear(receiver, other, tolerance, VTKI_AREA_COSINE);
+    open += same ? other.weight * light.rgb : vec3(0.0f);
+    weights += same ? other.weight : 0.0f;
     nearest = same ? min(nearest, light.a) : nearest;
-    float front = textureLod(vtkiAreaOpenFront, place, 0.0f).r;
+    float front = textureLod(vtkiAreaOpenFront, other.place, 0.0f).r;
     least = same ? min(least, front) : least;
     most = same ? max(most, front) : most;
   }
   // The receivers cross a lamp's plane, where its light ends: do not interpolate across it.
   bool crossed = weights > 0.0f && least != most;
   bool even = !crossed && weights > 0.99f &&
-    nearest >= VTKI_AREA_DISTANCES * float(VTKI_AREA_STEP) * width;
+    nearest >= VTKI_AREA_DISTANCES * float(vtkiStep) * width;
   float ownFront;
   vec4 own = vtkiFindOpen(receiver, lit && !even, ownFront);
   crossed = crossed || (!even && weights > 0.0f && ownFront != least);
@@ -73,9 +68,8 @@ void main()
   nearest = even ? nearest : own.a;
   vec3 share = vec3(1.0f);
 #ifdef VTKI_VISIBILITY
-  share = vtkiFindShare(pixel, receiver, plane, width, lit);
+  share = vtkiFindShare(pixel, receiver, width, lit);
 #endif
   gl_FragData[0] = vec4(open * share, crossed ? 0.0f : nearest / (float(VTKI_AREA_BLOCK) * width));
-  gl_FragData[1] = plane;
-  gl_FragData[2] = vec4(share, 1.0f);
+  gl_FragData[1] = vec4(share, 1.0f);
 }

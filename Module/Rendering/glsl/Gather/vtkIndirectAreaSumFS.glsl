@@ -6,30 +6,24 @@
 #include "vtkIndirectAreaSamples.glsl"
 
 uniform sampler2D vtkiAreaLight; // w: distance of the nearest lamp over that of samples
-uniform sampler2D vtkiAreaPlane;
 uniform sampler2D vtkiAreaShare;
-uniform ivec2 vtkiAreaSamples;
 
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver);
-  float tolerance =
-    float(VTKI_AREA_BLOCK) * VTKI_INTERPOLATION_DISTANCE * vtkiPixelWidth(receiver.depth);
-  ivec2 cell = pixel / VTKI_AREA_BLOCK;
-  vec2 between = vtkiBetween(pixel, cell, VTKI_AREA_BLOCK);
-  vec2 scale = 1.0f / vec2(vtkiAreaSamples);
+  float tolerance = VTKI_INTERPOLATION_DISTANCE * vtkiSampleDistance(receiver.depth);
+  vtkiGridCell cell = vtkiFindCell(pixel);
   vec3 light = vec3(0.0f);
   float weights = 0.0f;
   float distances = 1.0e30f;
   for (int k = 0; k < 4; ++k)
   {
-    vec2 place = (vec2(cell + ivec2(k & 1, k >> 1)) + 0.5f) * scale;
-    bool same =
-      vtkiIsOnPlane(textureLod(vtkiAreaPlane, place, 0.0f), receiver, tolerance, VTKI_AREA_COSINE);
-    vec4 sampled = textureLod(vtkiAreaLight, place, 0.0f);
-    float weight = same ? vtkiBilinear(between, k) : 0.0f;
+    vtkiSample other = vtkiFetchSample(cell, k);
+    bool same = vtkiIsNear(receiver, other, tolerance, VTKI_AREA_COSINE);
+    vec4 sampled = textureLod(vtkiAreaLight, other.place, 0.0f);
+    float weight = same ? other.weight : 0.0f;
     light += weight * sampled.rgb;
     weights += weight;
     distances = same ? min(distances, sampled.a) : distances;
@@ -44,11 +38,10 @@ void main()
   int count = lit && !even ? 4 : 0;
   for (int k = 0; k < count; ++k)
   {
-    vec2 place = (vec2(cell + ivec2(k & 1, k >> 1)) + 0.5f) * scale;
-    bool same = vtkiIsOnPlane(
-      textureLod(vtkiAreaPlane, place, 0.0f), receiver, tolerance, VTKI_INTERPOLATION_COSINE);
-    float weight = same ? vtkiBilinear(between, k) : 0.0f;
-    share += weight * textureLod(vtkiAreaShare, place, 0.0f).rgb;
+    vtkiSample other = vtkiFetchSample(cell, k);
+    bool same = vtkiIsNear(receiver, other, tolerance, VTKI_INTERPOLATION_COSINE);
+    float weight = same ? other.weight : 0.0f;
+    share += weight * textureLod(vtkiAreaShare, other.place, 0.0f).rgb;
     shares += weight;
   }
   bool alone = shares < 0.1f;

@@ -1,14 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Irradiance at every vtkiStep-th pixel. VTKI_GATHER names the file that sums over the senders.
-#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include VTKI_GATHER
-
-uniform int vtkiStep;
 
 void main()
 {
-  ivec2 pixel = min(ivec2(gl_FragCoord.xy) * vtkiStep, vtkiSize - 1);
+  ivec2 pixel = vtkiSamplePixel(ivec2(gl_FragCoord.xy));
   vtkiReceiver receiver;
   vec3 irradiance = vec3(0.0f);
   if (vtkiFetchReceiver(pixel, receiver))

@@ -3,14 +3,11 @@
 // Light from the lobes of virtual lights. VTKI_COARSE: at every vtkiStep-th pixel, with the error
 // that interpolation may have there; VTKI_INTERPOLATED: at every pixel, interpolated where that
 // error is small; VTKI_GLOSSY: in the receiver's specular lobe; otherwise at every pixel.
-#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #ifdef VTKI_INTERPOLATED
 #include "vtkIndirectCoarse.glsl"
 uniform float vtkiLeast;     // light that is worth a sum
 uniform float vtkiTolerance; // error of interpolation, relative to the light
-#endif
-#ifdef VTKI_COARSE
-uniform int vtkiStep;
 #endif
 #include "vtkIndirectLibSenderLobe.glsl"
 uniform float vtkiStorageScale;
@@ -38,12 +35,11 @@ float vtkiLobeWeight(vec3 toSender, vec3 normalS, vec3 normalR, vec3 direction, 
 // The largest variation among the surrounding samples.
 float vtkiCoarseVariation(ivec2 pixel)
 {
-  ivec2 corner = pixel / vtkiStep;
+  vtkiGridCell cell = vtkiFindCell(pixel);
   float most = 0.0f;
   for (int i = 0; i < 4; ++i)
   {
-    ivec2 at = min(corner + ivec2(i & 1, i >> 1), vtkiCoarseSize - 1);
-    most = max(most, textureLod(vtkiCoarse, (vec2(at) + 0.5f) / vec2(vtkiCoarseSize), 0.0f).a);
+    most = max(most, textureLod(vtkiCoarse, vtkiFetchSample(cell, i).place, 0.0f).a);
   }
   return most;
 }
@@ -53,7 +49,7 @@ void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
 #ifdef VTKI_COARSE
-  pixel = min(pixel * vtkiStep, vtkiSize - 1);
+  pixel = vtkiSamplePixel(pixel);
 #endif
   vtkiReceiver receiver;
   bool wanted = vtkiFetchReceiver(pixel, receiver);

@@ -11,8 +11,7 @@
 #define VTKI_SKY_BLOCK 16
 #endif
 #define VTKI_STEP VTKI_SKY_STEP
-#include "vtkIndirectStep.glsl"
-#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectLibSky.glsl"
 #if VTKI_SKY_STEP > 1 && !defined(VTKI_SKY_ROWS)
 #include "vtkIndirectSkyDirections.glsl"

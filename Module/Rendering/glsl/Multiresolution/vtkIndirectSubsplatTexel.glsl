@@ -1,7 +1,7 @@
 // A texel of a level and the values written for it.
 #include "vtkIndirectSubsplatPlane.glsl"
 #include "vtkIndirectSubsplatLights.glsl"
-#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectLibReceiverGrid.glsl"
 
 uniform sampler2D vtkiSurface; // surface of the pixels
 uniform sampler2D vtkiLevelSurface;

@@ -2,8 +2,7 @@
 // Chooses receivers for the pixels whose alpha is negative, one invocation for each tile of 8 x 8
 // pixels: among pixels that no receiver represents, the one that faces the eye most, until none is
 // left. If the tile has too few receivers, each remaining pixel is summed by itself.
-#include "vtkIndirectStep.glsl"
-#include "vtkIndirectProxyAlike.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectProxyTile.glsl"
 #include "vtkIndirectProxyList.glsl"
 
@@ -75,7 +74,7 @@ void main()
         bits &= ~bit;
         number += 32 * word;
         vtkiFetchReceiver(corner + ivec2(number % VTKI_PROXY_TILE, number / VTKI_PROXY_TILE), receiver);
-        bool served = vtkiProxyAlike(receiver, chosen, distance) > VTKI_LEAST_ALIKE;
+        bool served = vtkiAgreement(receiver, chosen, distance) > VTKI_LEAST_ALIKE;
         left[word] &= served ? ~bit : 0xffffffffu;
         float own = served ? -2.0f : vtkiFacesEye(receiver);
         best = own > facing ? number : best;

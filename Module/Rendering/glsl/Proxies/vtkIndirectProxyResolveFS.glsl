@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Light of coarse receivers, or with VTKI_PROXY_PIXELS irradiance, from blended sums.
-#include "vtkIndirectStep.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectProxySum.glsl"
 
 uniform sampler2D vtkiHidden0;
@@ -14,7 +14,7 @@ void main()
 {
   ivec2 at = ivec2(gl_FragCoord.xy);
   vtkiReceiver receiver;
-  bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), receiver);
+  bool lit = vtkiFetchReceiver(vtkiSamplePixel(at), receiver);
   vtkiProxySums sums = vtkiNoProxies();
   sums.hidden.A = texelFetch(vtkiHidden0, at, 0);
   sums.hidden.B = texelFetch(vtkiHidden1, at, 0);

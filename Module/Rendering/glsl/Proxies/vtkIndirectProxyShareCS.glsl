@@ -2,9 +2,8 @@
 // Irradiance of pixels that no coarse receiver represents, one invocation each, from the receivers
 // of the four surrounding tiles: bilinear between the tiles' middles, weighted by planes and
 // normals. Receivers of the pixel's own tile represent it, so that the weights are not zero.
-#include "vtkIndirectStep.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectProxySum.glsl"
-#include "vtkIndirectProxyAlike.glsl"
 #include "vtkIndirectProxyTile.glsl"
 #include "vtkIndirectProxyList.glsl"
 
@@ -50,7 +49,7 @@ void main()
         int number = int(sent.a);
         vtkiReceiver other;
         vtkiFetchReceiver(tile * VTKI_PROXY_TILE + ivec2(number % VTKI_PROXY_TILE, number / VTKI_PROXY_TILE), other);
-        float weight = w.x * w.y * vtkiProxyAlike(receiver, other, distance);
+        float weight = w.x * w.y * vtkiAgreement(receiver, other, distance);
         sum += weight;
         sky[0] += weight * textureLod(vtkiShared0, at, 0.0f);
         sky[1] += weight * textureLod(vtkiShared1, at, 0.0f);

@@ -1,7 +1,7 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Adds an entry of the tree of spheres to a receiver: its occlusion and its light.
-#include "vtkIndirectStep.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectProxySum.glsl"
 
 flat in int vtkiProxyNumber;
@@ -10,7 +10,7 @@ void main()
 {
   vtkiReceiver receiver;
   vtkiProxySums sums = vtkiNoProxies();
-  if (vtkiFetchReceiver(min(ivec2(gl_FragCoord.xy) * vtkiStep, vtkiSize - 1), receiver))
+  if (vtkiFetchReceiver(vtkiSamplePixel(ivec2(gl_FragCoord.xy)), receiver))
   {
     vtkiAddProxy(receiver.position, receiver.normal, vtkiProxyNumber, sums);
   }

@@ -8,9 +8,8 @@
 // VTKI_PROXY_PIXELS all pixels, or with VTKI_PROXY_REST those of a list, whose light goes to images
 // of tiles' receivers; or with VTKI_PROXY_SENDERS the spheres themselves, 256 in a row, whose
 // irradiance goes to their table.
-#include "vtkIndirectStep.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectProxySum.glsl"
-uniform ivec2 vtkiCoarseSize;
 #include "vtkIndirectProxySenders.glsl"
 #ifdef VTKI_PROXY_REST
 #include "vtkIndirectProxyTile.glsl"
@@ -148,7 +147,7 @@ void main()
   ivec2 pixel = min(place, vtkiSize - 1);
   bool inside = place.x < vtkiSize.x && place.y < vtkiSize.y;
 #else
-  ivec2 pixel = min(place * vtkiStep, vtkiSize - 1);
+  ivec2 pixel = vtkiSamplePixel(place);
   bool inside = place.x < vtkiCoarseSize.x && place.y < vtkiCoarseSize.y;
 #endif
   vtkiReceiver receiver;

@@ -4,11 +4,9 @@
 // bilinear, weighted by the distance of each from the other's plane and by normals. If none agrees,
 // alpha is -1 and the pixel is summed from scratch: here with VTKI_PROXY_GATHER, otherwise by
 // further receivers.
-#include "vtkIndirectStep.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectProxySum.glsl"
-#include "vtkIndirectProxyAlike.glsl"
 
-uniform ivec2 vtkiCoarseSize;
 uniform sampler2D vtkiCoarse0; // a colour's irradiance a + b n: b, a
 uniform sampler2D vtkiCoarse1;
 uniform sampler2D vtkiCoarse2;
@@ -25,10 +23,7 @@ void main()
   if (vtkiFetchReceiver(pixel, receiver))
   {
     float distance = vtkiSampleDistance(receiver.depth);
-    // The last samples may be closer together.
-    ivec2 corner = pixel / vtkiStep;
-    ivec2 first = corner * vtkiStep;
-    vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));
+    vtkiGridCell cell = vtkiFindCell(pixel);
     vec4 sky[3];
     sky[0] = vec4(0.0f);
     sky[1] = vec4(0.0f);
@@ -36,21 +31,16 @@ void main()
     float sum = 0.0f;
     for (int i = 0; i < 4; ++i)
     {
-      ivec2 shift = ivec2(i & 1, i >> 1);
-      ivec2 at = min(corner + shift, vtkiCoarseSize - 1);
-      vec2 place = (vec2(at) + 0.5f) / vec2(vtkiCoarseSize);
-      vtkiReceiver other;
-      bool lit = vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other);
-      vec2 w = mix(1.0f - blend, blend, vec2(shift));
-      float same = vtkiProxyAlike(receiver, other, distance);
+      vtkiSample found = vtkiFetchSample(cell, i);
+      float same = vtkiAgreement(receiver, found.receiver, distance);
       // The constant keeps a single agreeing sample at the cell's other end.
-      float weight = lit ? (w.x * w.y + 1.0e-3f) * same : 0.0f;
+      float weight = found.lit ? (found.weight + 1.0e-3f) * same : 0.0f;
       sum += weight;
-      sky[0] += weight * textureLod(vtkiCoarse0, place, 0.0f);
-      sky[1] += weight * textureLod(vtkiCoarse1, place, 0.0f);
-      sky[2] += weight * textureLod(vtkiCoarse2, place, 0.0f);
+      sky[0] += weight * textureLod(vtkiCoarse0, found.place, 0.0f);
+      sky[1] += weight * textureLod(vtkiCoarse1, found.place, 0.0f);
+      sky[2] += weight * textureLod(vtkiCoarse2, found.place, 0.0f);
 #ifdef VTKI_PROXY_LIGHT
-      bounce += weight * textureLod(vtkiCoarse3, place, 0.0f).rgb;
+      bounce += weight * textureLod(vtkiCoarse3, found.place, 0.0f).rgb;
 #endif
     }
     float scale = 1.0f / max(sum, 1.0e-30f);

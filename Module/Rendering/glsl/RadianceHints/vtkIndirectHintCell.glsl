@@ -1,6 +1,5 @@
 // Tests a cell of vtkiStep by vtkiStep pixels for being one surface.
-#include "vtkIndirectStep.glsl"
-#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 
 struct vtkiCell
 {

@@ -1,11 +1,9 @@
 //VTK::System::Dec
 // Draws a point the size of a cell for each cell of pixels with more than one surface, whose pixels
 // each need their own irradiance; other pixels cost nothing.
-#include "vtkIndirectStep.glsl"
-#include "vtkIndirectLibInterpolation.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 
 uniform sampler2D vtkiCoarse;
-uniform ivec2 vtkiCoarseSize;
 
 void main()
 {

@@ -13,7 +13,7 @@ uniform sampler2D vtkiLast;
 void main()
 {
   ivec2 coarse = ivec2(gl_FragCoord.xy);
-  ivec2 pixel = min(coarse * vtkiStep, vtkiSize - 1);
+  ivec2 pixel = vtkiSamplePixel(coarse);
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver);
   vec3 e = max(vtkiHintIrradiance(receiver.position, receiver.normal, coarse, lit), vec3(0.0f));

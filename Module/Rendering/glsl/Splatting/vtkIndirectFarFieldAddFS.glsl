@@ -4,14 +4,11 @@
 // anew if none of them faces the pixel's way. It varies slowly with the position, because it comes
 // from a distance: samples on other surfaces serve if there are none on the pixel's own. With the
 // normal it varies as the vector irradiance does.
-#include "vtkIndirectReceiver.glsl"
-#include "vtkIndirectLibInterpolation.glsl"
-#include "vtkIndirectStep.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectFarField.glsl"
 
 uniform sampler2D vtkiCoarse;
 uniform sampler2D vtkiCoarseVector;
-uniform ivec2 vtkiCoarseSize;
 
 // Weight of a sample on another surface, relative to one on the pixel's own. Normals must agree in
 // both cases: samples do not show lights that are below the horizon of one normal and not of the
@@ -21,27 +18,27 @@ const float VTKI_OTHER_SURFACE = 0.01f;
 const float VTKI_LEAST_WEIGHT = 1.0e-6f;
 
 // Irradiance at the pixel from one sample; in the fourth component its weight.
-vec4 vtkiFarFieldBySample(vtkiReceiver receiver, ivec2 at, float weight)
+vec4 vtkiFarFieldBySample(vtkiReceiver receiver, vtkiSample found)
 {
-  vtkiReceiver other;
-  if (!vtkiFetchReceiver(min(at * vtkiStep, vtkiSize - 1), other))
+  vtkiReceiver other = found.receiver;
+  if (!found.lit)
   {
     return vec4(0.0f);
   }
   float distance = vtkiSampleDistance(receiver.depth);
   vec3 offset = other.positionVC - receiver.positionVC;
-  bool same = vtkiSameSurface(offset, receiver.normalVC, other.normalVC, VTKI_INTERPOLATION_COSINE,
-    VTKI_INTERPOLATION_DISTANCE * distance);
+  bool same = vtkiIsSameSurface(receiver, found);
   float facing = max(dot(receiver.normal, other.normal), 0.0f);
   float away = dot(offset, offset) / max(distance * distance, 1.0e-30f);
   float elsewhere = facing >= VTKI_INTERPOLATION_COSINE ? VTKI_OTHER_SURFACE * facing * facing / (1.0f + away) : 0.0f;
-  weight *= same ? 1.0f : elsewhere;
-  vec3 vector = texelFetch(vtkiCoarseVector, at, 0).rgb;
+  // The constant keeps a single agreeing sample at the cell's other end.
+  float weight = (found.weight + 1.0e-3f) * (same ? 1.0f : elsewhere);
+  vec3 vector = textureLod(vtkiCoarseVector, found.place, 0.0f).rgb;
   float correction = vtkiNormalCorrection(dot(vector, other.normal), dot(vector, receiver.normal));
   // A light's cosine is convex in the normal: between samples it is as far above the interpolated
   // value as tangents are below.
   correction = same ? 0.5f * (1.0f + correction) : correction;
-  return weight * vec4(correction * texelFetch(vtkiCoarse, at, 0).rgb, 1.0f);
+  return weight * vec4(correction * textureLod(vtkiCoarse, found.place, 0.0f).rgb, 1.0f);
 }
 
 void main()
@@ -51,17 +48,11 @@ void main()
   vec3 left = vec3(0.0f);
   if (vtkiFetchReceiver(pixel, receiver))
   {
-    // The last samples may be closer together.
-    ivec2 corner = pixel / vtkiStep;
-    ivec2 first = corner * vtkiStep;
-    vec2 blend = vec2(pixel - first) / vec2(max(min(first + vtkiStep, vtkiSize - 1) - first, 1));
+    vtkiGridCell cell = vtkiFindCell(pixel);
     vec4 sum = vec4(0.0f);
     for (int i = 0; i < 4; ++i)
     {
-      ivec2 shift = ivec2(i & 1, i >> 1);
-      vec2 w = mix(1.0f - blend, blend, vec2(shift));
-      // The constant keeps a single agreeing sample at the cell's other end.
-      sum += vtkiFarFieldBySample(receiver, min(corner + shift, vtkiCoarseSize - 1), w.x * w.y + 1.0e-3f);
+      sum += vtkiFarFieldBySample(receiver, vtkiFetchSample(cell, i));
     }
     if (sum.a > VTKI_LEAST_WEIGHT)
     {

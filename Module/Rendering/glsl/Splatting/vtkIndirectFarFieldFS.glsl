@@ -1,13 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // The far field at every vtkiStep-th pixel.
-#include "vtkIndirectReceiver.glsl"
-#include "vtkIndirectStep.glsl"
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectFarField.glsl"
 
 void main()
 {
-  ivec2 pixel = min(ivec2(gl_FragCoord.xy) * vtkiStep, vtkiSize - 1);
+  ivec2 pixel = vtkiSamplePixel(ivec2(gl_FragCoord.xy));
   vtkiReceiver receiver;
   vtkiFarField sum = vtkiFarField(vec3(0.0f), 0.0f, vec3(0.0f));
   if (vtkiFetchReceiver(pixel, receiver))
