@@ -204,6 +204,29 @@ VTK_INDIRECT_TEST(ClustersLeaveOutTheOutside)
   CheckEqual("of a floor alone", static_cast<double>(senders.size()), 0);
 }
 
+// A cluster of bright and dim places would have its place in the bright part alone.
+VTK_INDIRECT_TEST(ClustersKeepBrightAndDimApart)
+{
+  std::vector<Clusters::Sender> senders;
+  AddSquare(senders, 80, 1, 0.0, 1.0, glm::vec3(0.8f));
+  for (Clusters::Sender& sender : senders)
+  {
+    sender.Reflected *= sender.Position.x + sender.Position.y < 0.9f ? 1.0f : 0.1f;
+  }
+  Clusters clusters;
+  clusters.SetSenders(senders);
+  const std::vector<Clusters::Light> lights =
+    clusters.MakeLights({ glm::dvec3(1.0) }, 200, 0.0).Tops;
+  double mixed = 0.0;
+  for (const Clusters::Light& light : lights)
+  {
+    const double density = light.DensityArea.x / light.Area;
+    mixed += density > 0.09 && density < 0.79 ? light.Area : 0.0;
+  }
+  // Clusters hold places of both sides on 0.108 of the area if only places divide them.
+  CheckAtMost("area of lights that are bright and dim", mixed, 0.02, "");
+}
+
 VTK_INDIRECT_TEST(ClustersStay)
 {
   std::vector<Clusters::Sender> senders;

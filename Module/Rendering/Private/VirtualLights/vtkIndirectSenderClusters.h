@@ -4,9 +4,9 @@
 // Arbree, Bala, Donikian, Greenberg 2005, "Lightcuts"), and below each light are two more
 // generations of nodes, its branches, for receivers that are too near for a single light.
 //
-// The texels whose light lies farthest from its mean, by place and normal alike, are divided until
-// there are as many clusters as lights. A cluster's light is the sum of its texels' light, so no
-// light is lost; it comes from a place near its mean texel, a little before it.
+// The texels whose light lies farthest from its mean, by place, normal and radiosity, are divided
+// until there are as many clusters as lights. A cluster's light is the sum of its texels' light, so
+// no light is lost; it comes from a place near its mean texel, a little before it.
 //
 // The clusters depend on the maps' light in coarse steps only. A sky that changes a little moves no
 // virtual light, so data that are kept by the lights' places stay valid.
@@ -95,20 +95,23 @@ public:
    */
   static constexpr double StandardNearness = 0.04;
   /** This nearness suffices where later bounces spread light smoothly over all surfaces. */
-  static constexpr double NearnessOfBounces = 0.05;
+  static constexpr double NearnessOfBounces = 0.06;
 
   /**
    * Returns the error of a node for an error tolerance of the irradiance. A receiver sums several
-   * nodes that are little farther than their reach, and most of their errors have the same sign: a
-   * third of the tolerance for each keeps the mean within it.
+   * nodes that are little farther than their reach, and most of their errors have the same sign. A
+   * third of the tolerance for each would keep the mean within it on smooth surfaces; folds, whose
+   * horizons cut nodes, need a third of that: with 0.35 the irradiance of a brain is 8.7 % below
+   * that of a path tracer, with 0.1 half as much. Smaller errors mend little more and cost a frame
+   * of a turning camera a quarter.
    */
-  static double FindError(double tolerance) { return 0.35 * tolerance; }
+  static double FindError(double tolerance) { return 0.1 * tolerance; }
 
   size_t GetBytes() const;
 
 private:
-  // Three axes of place, three of the normal.
-  static constexpr int NumberOfAxes = 6;
+  // Three axes of place, three of the normal, one of the brightness.
+  static constexpr int NumberOfAxes = 7;
   struct Entry
   {
     float Coordinates[NumberOfAxes];
