@@ -362,11 +362,11 @@ public:
    * `sky`, `area` and `bounce`, `glossy`, `albedo`, `normal`, `depth` (along the view axis),
    * `specular` (reflectance, power of the lobe); `rsm<i>.depth`, `rsm<i>.normal`, `rsm<i>.density`
    * (the faces of a map in a row); `lights` (four components, one row for each virtual light:
-   * position, area; normal, reach; B A, source), `branches` (the nodes below each light, 72 rows a
-   * light, with the area that makes it blunt to near receivers in place of the source) and `lobes`
-   * (the specular reflection of each light: direction, exponent; flux, 0). Estimators may have
-   * further channels; see their pages. Returns false, after one error, for an unknown name or when
-   * the last frame has no such channel.
+   * position, area; normal, child distance; B A, source), `branches` (the nodes below each light,
+   * 72 rows a light, with the contact softening for near receivers in place of the source) and
+   * `lobes` (the specular reflection of each light: direction, exponent; flux, 0). Estimators may
+   * have further channels; see their pages. Returns false, after one error, for an unknown name or
+   * when the last frame has no such channel.
    */
   bool CopyBuffer(const std::string& name, vtkImageData* image);
 

@@ -143,12 +143,12 @@ bool TreeLights::Update(const Input& input)
     this->Clusters.SetSenders(std::move(senders));
     this->FurtherTime = furtherTime;
   }
-  const vtkIndirectSenderClusters::Lights lights = this->Clusters.MakeLights(
+  const vtkIndirectSenderClusters::LightTree lights = this->Clusters.MakeLights(
     std::vector<glm::dvec3>(this->Sources + this->FurtherMaps, glm::dvec3(1.0)), most, error,
     further ? vtkIndirectSenderClusters::NearnessOfBounces
             : vtkIndirectSenderClusters::StandardNearness,
     automatic ? LeastLights : 0);
-  if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Tops),
+  if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Lights),
         vtkIndirectSenderTexels::MakeRows(lights.Branches)))
   {
     return false;

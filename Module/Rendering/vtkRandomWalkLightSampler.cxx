@@ -206,12 +206,12 @@ bool WalkLights::Update(const Input& input)
     vtkIndirectFurtherSenders senders;
     this->FindSenders(senders);
     this->Clusters.SetSenders(std::move(senders.Senders));
-    const vtkIndirectSenderClusters::Lights found =
+    const vtkIndirectSenderClusters::LightTree found =
       this->Clusters.MakeLights(std::vector<glm::dvec3>(senders.NumberOfMaps, glm::dvec3(1.0)),
         this->Set.GetNumberOfLights(), error,
         input.NumberOfBounces > 1 ? vtkIndirectSenderClusters::NearnessOfBounces
                                   : vtkIndirectSenderClusters::StandardNearness);
-    lights = vtkIndirectSenderTexels::MakeRows(found.Tops);
+    lights = vtkIndirectSenderTexels::MakeRows(found.Lights);
     branches = vtkIndirectSenderTexels::MakeRows(found.Branches);
   }
   else

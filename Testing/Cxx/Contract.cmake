@@ -32,7 +32,7 @@ set_source_files_properties(Frame/TestPassReport.cxx PROPERTIES
 vtk_indirect_add_tests(TestPassContract PREFIX Contract LABEL contract SOURCES ${contract_sources}
   FAIL_ON "ERROR: ")
 # Mesa simulates an older OpenGL.
-set_property(TEST Contract.PathsOpenGL32 Contract.ReportClocksOpenGL32 Contract.ReportClocksNone
+set_property(TEST Contract.ChoicesOpenGL32 Contract.ReportClocksOpenGL32 Contract.ReportClocksNone
   APPEND PROPERTY ENVIRONMENT "MESA_GL_VERSION_OVERRIDE=3.2")
 set_property(TEST Contract.ReportClocksNone
   APPEND PROPERTY ENVIRONMENT "MESA_EXTENSION_OVERRIDE=-GL_ARB_timer_query")

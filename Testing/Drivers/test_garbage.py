@@ -15,7 +15,7 @@ LIBRARY = Path(os.environ["VTK_INDIRECT_GARBAGE"])
 """garbage.c as a library."""
 SKIPPED = 125
 TESTS = (
-    ("TestPassContract", "PathsSame"),
+    ("TestPassContract", "ChoicesSame"),
     ("TestPassContract", "KindsFull"),
     ("TestPassContract", "Resize"),
     ("TestPassContract", "ViewportOrigin"),

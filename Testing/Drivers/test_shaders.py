@@ -18,11 +18,11 @@ PROGRAMS = Path(os.environ["VTK_INDIRECT_PROGRAMS"])
 COMPILER = shutil.which("glslangValidator")
 TESTS = (
     ("IndirectShaderTests", "StagesLink"),
-    ("TestPassContract", "PathsSame"),
-    ("TestPassContract", "PathsKernels"),
+    ("TestPassContract", "ChoicesSame"),
+    ("TestPassContract", "ChoicesKernels"),
     ("TestPassContract", "KindsFull"),
     ("TestPassContract", "PropsTubes"),
-    ("TestPassContract", "SkyPathsSame"),
+    ("TestPassContract", "SkyChoicesSame"),
     ("IndirectSplattingTests", "BranchesAndVisibility"),
     ("IndirectRadiometryTests", "AreaImageSplitsWithoutPop"),
     ("IndirectRadiometryTests", "AreaPenumbraInMovingFrames"),

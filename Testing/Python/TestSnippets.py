@@ -49,7 +49,7 @@ NOT_RUN = {
     ("CONTRIBUTING.md", "Testing/Images/renew"): "it renders what ctest -L image compares",
     ("CONTRIBUTING.md", "LD_PRELOAD="): "it runs tests; Drivers.garbage runs some of them so",
     ("Documentation/architecture.md", "scene ─▶ Plan"): "a drawing",
-    ("Documentation/architecture.md", "VTK_INDIRECT_PATHS="): "Contract.PathsTake sets each of them",
+    ("Documentation/architecture.md", "VTK_INDIRECT_PATHS="): "Contract.ChoicesTake sets each of them",
     ("Documentation/command-line.md", "Testing/Benchmark/comparison.py"): (
         "it needs minutes; Benchmark.comparison runs such words on a small scene"
     ),

@@ -8,7 +8,7 @@
 #include "CardMethods.h"
 #include "CardScene.h"
 
-#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "vtkEGLHeadlessRenderWindow.h"
 #include "vtkIndirectIlluminationPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
@@ -254,7 +254,7 @@ card::Part card::MakePathsPart(const Options& options)
   Part part;
   part.Name = "paths";
   part.Units = { Defaults };
-  for (const auto& path : vtkIndirectPaths::List())
+  for (const auto& path : vtkIndirectBackEndChoices::List())
   {
     for (const std::string& value : path.second)
     {

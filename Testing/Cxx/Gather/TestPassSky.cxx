@@ -60,7 +60,7 @@ void Force(const std::string& paths)
 }
 
 //------------------------------------------------------------------------------
-VTK_INDIRECT_TEST(SkyPathsSame)
+VTK_INDIRECT_TEST(SkyChoicesSame)
 {
   for (const bool sun : { false, true })
   {

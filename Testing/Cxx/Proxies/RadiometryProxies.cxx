@@ -160,7 +160,7 @@ VTK_INDIRECT_TEST(ProxiesCluster)
     0.02, "what lies beyond adds up");
 }
 
-VTK_INDIRECT_TEST(ProxiesPathsAreTheSame)
+VTK_INDIRECT_TEST(ProxiesChoicesAreTheSame)
 {
   // Tiles or the tree in compute shaders, and blended rectangles.
   for (const bool groups : { true, false })

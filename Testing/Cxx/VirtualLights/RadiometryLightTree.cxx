@@ -132,7 +132,7 @@ VTK_INDIRECT_TEST(LightTreeOnHillsUnderALowSun)
       CheckAtMost(name + ": mean squared relative difference", cut.Squared, 0.012,
         "half as much again as the measured 0.003 to 0.008");
       CheckAtMost(name + ": bias", std::abs(cut.Bias), 0.065,
-        "too dark by 0.042 to 0.057: patches are blunt, and hollows send the light of their "
+        "too dark by 0.042 to 0.057: contacts are softened, and hollows send the light of their "
         "opening");
     }
   }
@@ -156,7 +156,7 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
   }
   Clusters clusters;
   clusters.SetSenders(senders);
-  const Clusters::Lights lights = clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.03);
+  const Clusters::LightTree lights = clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.03);
   double all = 0.0;
   double tops = 0.0;
   for (const Clusters::Sender& sender : senders)
@@ -165,11 +165,11 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
   }
   double worst = 0.0;
   size_t divided = 0;
-  for (size_t i = 0; i < lights.Tops.size(); ++i)
+  for (size_t i = 0; i < lights.Lights.size(); ++i)
   {
-    const double top = lights.Tops[i].DensityArea.x;
+    const double top = lights.Lights[i].DensityArea.x;
     tops += top;
-    if (!(lights.Tops[i].Reach > 0.0))
+    if (!(lights.Lights[i].ChildDistance > 0.0))
     {
       continue;
     }
@@ -180,7 +180,7 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
       const size_t place = i * vtkIndirectKernels::VTKI_BRANCHES + child * (perNode + 1);
       const double light = lights.Branches[place].DensityArea.x;
       sum += light;
-      if (lights.Branches[place].Reach > 0.0)
+      if (lights.Branches[place].ChildDistance > 0.0)
       {
         double leaves = 0.0;
         for (size_t leaf = 0; leaf < perNode; ++leaf)
@@ -192,13 +192,14 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
     }
     worst = std::max(worst, std::abs(sum / top - 1.0));
   }
-  CheckEqual("lights", static_cast<double>(lights.Tops.size()), 64);
+  CheckEqual("lights", static_cast<double>(lights.Lights.size()), 64);
   Check("some are divided", divided > 0);
   CheckRelative("light of all", tops, all, 1e-6, "sums in double precision");
   CheckAtMost("light of branches", worst, 1e-6, "sums in double precision");
   // A single texel has no branches.
   senders.resize(1);
   clusters.SetSenders(senders);
-  const Clusters::Lights one = clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.03);
-  Check("a texel alone has no branches", one.Branches.empty() && one.Tops.front().Reach == 0.0);
+  const Clusters::LightTree one = clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.03);
+  Check("a texel alone has no branches",
+    one.Branches.empty() && one.Lights.front().ChildDistance == 0.0);
 }

@@ -74,7 +74,7 @@ VTK_INDIRECT_TEST(ClustersKeepTheLight)
   for (const int count : { 1, 7, 100, 256 })
   {
     const std::string name = " of " + std::to_string(count) + " lights";
-    const std::vector<Clusters::Light> lights = clusters.MakeLights(strengths, count, 0.0).Tops;
+    const std::vector<Clusters::Light> lights = clusters.MakeLights(strengths, count, 0.0).Lights;
     CheckEqual("number" + name, static_cast<double>(lights.size()), count);
     const glm::dvec3 sum = SumLight(lights);
     CheckRelative("red" + name, sum.x, 0.5 * 3.5, 1e-6, "floats of the senders");
@@ -102,17 +102,17 @@ VTK_INDIRECT_TEST(ClustersKeepTheLight)
       std::sqrt(squares / static_cast<double>(senders.size())),
       std::sqrt(5.0 / 24.0 / count) + 0.5 / 40, "rectangles of one by two, and half a texel");
   }
-  const std::vector<Clusters::Light> all = clusters.MakeLights(strengths, VTK_INT_MAX, 0.0).Tops;
+  const std::vector<Clusters::Light> all = clusters.MakeLights(strengths, VTK_INT_MAX, 0.0).Lights;
   CheckEqual("all are lights", static_cast<double>(all.size()), 3.0 * 1600);
   CheckRelative("with all the light", SumLight(all).x, 0.5 * 3.5, 1e-6, "floats of the senders");
   CheckRelative("of their own area", all.back().Area, 1.0 / 1600, 1e-6, "floats of the senders");
-  Check("no senders, no lights", Clusters().MakeLights(strengths, 256, 0.0).Tops.empty());
+  Check("no senders, no lights", Clusters().MakeLights(strengths, 256, 0.0).Lights.empty());
   Check("no light, no lights",
-    clusters.MakeLights(std::vector<glm::dvec3>(3, glm::dvec3(0.0)), 256, 0.0).Tops.empty());
+    clusters.MakeLights(std::vector<glm::dvec3>(3, glm::dvec3(0.0)), 256, 0.0).Lights.empty());
   // A dark map has no weight.
   const std::vector<Clusters::Light> one =
     clusters.MakeLights({ glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.0) }, VTK_INT_MAX, 0.0)
-      .Tops;
+      .Lights;
   CheckEqual("senders of one map of three", static_cast<double>(one.size()), 1600);
 }
 
@@ -129,7 +129,7 @@ VTK_INDIRECT_TEST(ClustersKeepSidesApart)
   Clusters clusters;
   clusters.SetSenders(senders);
   const std::vector<Clusters::Light> lights =
-    clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.0).Tops;
+    clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.0).Lights;
   glm::dvec3 sides[2] = { glm::dvec3(0.0), glm::dvec3(0.0) };
   for (const Clusters::Light& light : lights)
   {
@@ -154,7 +154,7 @@ VTK_INDIRECT_TEST(ClustersAreSeenFromInFront)
   for (const int count : { 1, 2, 4 })
   {
     int inFurrows = 0;
-    for (const Clusters::Light& light : clusters.MakeLights({ glm::dvec3(1.0) }, count, 0.0).Tops)
+    for (const Clusters::Light& light : clusters.MakeLights({ glm::dvec3(1.0) }, count, 0.0).Lights)
     {
       inFurrows += light.Position.z < -0.01 ? 1 : 0;
     }
@@ -164,7 +164,7 @@ VTK_INDIRECT_TEST(ClustersAreSeenFromInFront)
   senders.clear();
   AddSquare(senders, 40, 1, 0.0, 1.0, glm::vec3(0.5f));
   clusters.SetSenders(senders);
-  const Clusters::Light whole = clusters.MakeLights({ glm::dvec3(1.0) }, 1, 0.0).Tops.front();
+  const Clusters::Light whole = clusters.MakeLights({ glm::dvec3(1.0) }, 1, 0.0).Lights.front();
   CheckAtMost("from the middle of a square",
     glm::length(whole.Position - glm::dvec3(0.5, 0.5, 0.0)), 1e-6,
     "its mean is within a texel of its middle one");
@@ -216,7 +216,7 @@ VTK_INDIRECT_TEST(ClustersKeepBrightAndDimApart)
   Clusters clusters;
   clusters.SetSenders(senders);
   const std::vector<Clusters::Light> lights =
-    clusters.MakeLights({ glm::dvec3(1.0) }, 200, 0.0).Tops;
+    clusters.MakeLights({ glm::dvec3(1.0) }, 200, 0.0).Lights;
   double mixed = 0.0;
   for (const Clusters::Light& light : lights)
   {
@@ -234,16 +234,16 @@ VTK_INDIRECT_TEST(ClustersStay)
   Clusters clusters;
   clusters.SetSenders(senders);
   const std::vector<Clusters::Light> before =
-    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50, 0.0).Tops;
+    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50, 0.0).Lights;
   const std::vector<Clusters::Light> brighter =
-    clusters.MakeLights({ glm::dvec3(1e6), glm::dvec3(1.3e6) }, 50, 0.0).Tops;
+    clusters.MakeLights({ glm::dvec3(1e6), glm::dvec3(1.3e6) }, 50, 0.0).Lights;
   Check("where the sky changes by a part nothing moves", AreAtSamePlaces(before, brighter));
   CheckRelative("but the light", SumLight(brighter).x, 0.5 * 2.3e6, 1e-6, "floats of the senders");
   // The result does not depend on the order.
   const std::vector<Clusters::Light> other =
-    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 30, 0.0).Tops;
+    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 30, 0.0).Lights;
   const std::vector<Clusters::Light> again =
-    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50, 0.0).Tops;
+    clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50, 0.0).Lights;
   Check("nothing depends on what was asked before",
     other.size() == 30 && AreAtSamePlaces(before, again));
 }

@@ -296,22 +296,22 @@ VTK_INDIRECT_TEST(PatchLimits)
     // In a scene of length one; normals of clusters are shorter.
     const vec3 d = vec3(random.NextDirection() * random.NextMagnitude(1e-6, 1e3));
     const auto area = static_cast<float>(random.NextMagnitude(1e-12, 1e3));
-    const float blunt = area * static_cast<float>(random.NextMagnitude(1.0, 16.0));
+    const float softening = area * static_cast<float>(random.NextMagnitude(1.0, 16.0));
     const vec3 unit = vec3(random.NextDirection());
     const vec3 normalS = static_cast<float>(random.NextMagnitude(0.01, 1.0)) * unit;
     const vec3 normalR = vec3(random.NextDirection());
-    const float w = vtkiPatchLightWeight(d, normalS, normalR, area, blunt);
+    const float w = vtkiPatchLightWeight(d, normalS, normalR, area, softening);
     bad += !std::isfinite(w) || w < 0.0f;
     largest = std::max(largest, double(w) * area);
     behind += glm::dot(unit, d) > 0.0f &&
-      vtkiPatchLightWeight(d, unit, normalR, area, blunt) > 1e-4f / area;
-    const double radius = std::sqrt(std::max(area, blunt) / vtkMath::Pi());
+      vtkiPatchLightWeight(d, unit, normalR, area, softening) > 1e-4f / area;
+    const double radius = std::sqrt(std::max(area, softening) / vtkMath::Pi());
     const double r = glm::length(glm::dvec3(d));
     const double before = -glm::dot(glm::dvec3(unit), glm::dvec3(d)) / r;
     const double facing = glm::dot(glm::dvec3(normalR), glm::dvec3(d)) / r;
     if (r > 1e3 * radius && before > 0.1 && facing > 0.1)
     {
-      const double ratio = double(vtkiPatchLightWeight(d, unit, normalR, area, blunt)) /
+      const double ratio = double(vtkiPatchLightWeight(d, unit, normalR, area, softening)) /
         vtkiVirtualLightWeight(d, unit, normalR, area);
       far = std::max(far, std::abs(ratio - 1.0));
     }

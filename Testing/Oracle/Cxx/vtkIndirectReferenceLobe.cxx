@@ -54,7 +54,7 @@ std::vector<vtkIndirectReferenceLobe> vtkIndirectReferenceLobe::Read(
   const vtkIndirectTarget& table = lights.GetTable();
   const vtkIndirectTarget& lobes = *lights.GetLobes();
   const std::vector<float> position = table.ReadBack(vtkIndirectSampler::PositionArea);
-  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalReach);
+  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalChildDistance);
   const std::vector<float> direction = lobes.ReadBack(vtkIndirectSampler::LobeDirectionExponent);
   const std::vector<float> density = lobes.ReadBack(vtkIndirectSampler::LobeDensityArea);
   for (size_t i = 0; i < count; ++i)

@@ -338,7 +338,7 @@ std::vector<SenderBlock> ReadSenders(
   const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
   const vtkIndirectTarget& table = lights.GetTable();
   const std::vector<float> position = table.ReadBack(vtkIndirectSampler::PositionArea);
-  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalReach);
+  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalChildDistance);
   const std::vector<float> density = table.ReadBack(vtkIndirectSampler::DensityArea);
   std::vector<SenderBlock> blocks;
   size_t kept = 0;

@@ -11,8 +11,8 @@
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectRendererAccess.h"
 #include "Frame/vtkIndirectSwitches.h"
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
-#include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkOpenGLFramebufferObject.h"
@@ -91,7 +91,8 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
   }
   this->Target->Begin();
   // Without blending, pixels that are drawn need not be cleared before.
-  const bool byGL = vtkIndirectPaths::Get(vtkIndirectPaths::Clear) == vtkIndirectPaths::ClearByGL;
+  const bool byGL = vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Clear) ==
+    vtkIndirectBackEndChoices::ClearByGL;
   const bool clearAfter = !byGL && this->HasAlbedoInLit() && this->DepthTellsBackground(frame);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   byGL ? this->Target->Clear() : this->Target->ClearDepth();

@@ -9,7 +9,7 @@
 #include "Capture/vtkIndirectLightConstants.h"
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -138,8 +138,8 @@ struct vtkSurfaceCapturePass::Internals
   bool UpdateFlatUniforms(const vtkIndirectFrame& frame)
   {
     const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
-    const bool flat =
-      vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat &&
+    const bool flat = vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Uniforms) ==
+        vtkIndirectBackEndChoices::UniformsFlat &&
       pixels > (this->FlatUniforms ? 2.0 : 4.0) * frame.NumberOfTriangles;
     const bool changed = flat != this->FlatUniforms;
     this->FlatUniforms = flat;

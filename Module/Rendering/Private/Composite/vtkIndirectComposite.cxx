@@ -9,9 +9,9 @@
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "LightMaps/vtkIndirectLightMaps.h"
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkImageData.h"
 #include "vtkTextureObject.h"
@@ -274,7 +274,8 @@ bool vtkIndirectComposite::Composite(const Input& input)
   // On an empty target, copying depth is cheaper than testing and writing it pixel by pixel.
   const bool copied = input.DepthDrawn ||
     (input.DepthCleared &&
-      vtkIndirectPaths::Get(vtkIndirectPaths::Depth) == vtkIndirectPaths::DepthByCopy &&
+      vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Depth) ==
+        vtkIndirectBackEndChoices::DepthByCopy &&
       input.Geometry.GetTarget().CopyDepth(frame.Origin));
   vtkShaderProgram* program = Internals::Use(kernel, input,
     std::string(encoded ? "#define VTKI_ENCODED\n" : "") +

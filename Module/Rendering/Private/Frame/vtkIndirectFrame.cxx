@@ -2,12 +2,12 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectKey.h"
 
+#include "Frame/vtkIndirectCasterBounds.h"
 #include "Frame/vtkIndirectLightKeys.h"
 #include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
-#include "Frame/vtkIndirectRoom.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
@@ -124,7 +124,8 @@ double vtkIndirectFrame::FindDiagonal(const vtkBoundingBox& box)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrame::Build(const vtkRenderState* state, vtkIndirectRoom* room, bool interactive)
+void vtkIndirectFrame::Build(
+  const vtkRenderState* state, vtkIndirectCasterBounds* casterBounds, bool interactive)
 {
   this->Renderer = state->GetRenderer();
   this->Window = vtkOpenGLRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow());
@@ -140,7 +141,7 @@ void vtkIndirectFrame::Build(const vtkRenderState* state, vtkIndirectRoom* room,
       &this->Size[0], &this->Size[1], &this->Origin[0], &this->Origin[1]);
   }
   this->CollectLights();
-  this->CollectProps(room, interactive);
+  this->CollectProps(casterBounds, interactive);
   if (this->Size[0] > 0 && this->Size[1] > 0 &&
     (!this->Casters.empty() || this->NumberOfOtherReceivers > 0))
   {
@@ -181,7 +182,7 @@ void vtkIndirectFrame::LeaveOut(vtkProp* prop, const std::string& why)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room, bool interactive)
+void vtkIndirectFrame::CollectProps(vtkIndirectCasterBounds* casterBounds, bool interactive)
 {
   vtkBoundingBox box;
   this->CoversFully = !this->Window->GetPointSmoothing() && !this->Window->GetLineSmoothing() &&
@@ -231,9 +232,9 @@ void vtkIndirectFrame::CollectProps(vtkIndirectRoom* room, bool interactive)
     }
     this->AddOpaque(prop, box);
   }
-  if (room)
+  if (casterBounds)
   {
-    room->Give(this->Casters, !interactive && !this->IsFurtherPart());
+    casterBounds->Give(this->Casters, !interactive && !this->IsFurtherPart());
   }
   for (const vtkIndirectCaster& caster : this->Casters)
   {

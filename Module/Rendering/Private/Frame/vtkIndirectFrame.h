@@ -16,7 +16,7 @@
 class vtkBoundingBox;
 class vtkIndirectCoarseLevels;
 class vtkIndirectKey;
-class vtkIndirectRoom;
+class vtkIndirectCasterBounds;
 class vtkLight;
 class vtkLightCollection;
 class vtkActor;
@@ -70,16 +70,16 @@ struct vtkIndirectCaster
   vtkProp* Prop = nullptr;
   double Bounds[6];
   /**
-   * The room in which it has moved: maps are fitted to it instead of the bounds, see
-   * vtkIndirectRoom.
+   * The bounds within which it moves: maps are fitted to them instead of its own, see
+   * vtkIndirectCasterBounds.
    */
-  double Room[6];
-  bool HasRoom = false;
+  double WideBounds[6];
+  bool HasWideBounds = false;
   vtkTypeUInt64 Revision = 0; // see vtkIndirectRevision
   bool SendsLight = true;
   double Triangles = 0.0; // approximate number, for depth maps
 
-  const double* GetFit() const { return this->HasRoom ? this->Room : this->Bounds; }
+  const double* GetFit() const { return this->HasWideBounds ? this->WideBounds : this->Bounds; }
   /** Appends the caster's identity, its revision and whether it sends light. */
   void AppendTo(vtkIndirectKey& key) const;
 };
@@ -138,11 +138,11 @@ struct vtkIndirectFrame
 
   /**
    * Reads the scene. The eye is set up only if something opaque is in a viewport of any size. If
-   * room is given, casters get it; the room may return to the bounds in a frame that is not
-   * interactive.
+   * casterBounds is given, casters get them; they may return to the casters' own in a frame that is
+   * not interactive.
    */
-  void Build(
-    const vtkRenderState* state, vtkIndirectRoom* room = nullptr, bool interactive = false);
+  void Build(const vtkRenderState* state, vtkIndirectCasterBounds* casterBounds = nullptr,
+    bool interactive = false);
 
   /**
    * Returns true if the frame is a further part of a picture, which follows the decisions of the
@@ -178,7 +178,7 @@ struct vtkIndirectFrame
 
 private:
   void LeaveOut(vtkProp* prop, const std::string& why);
-  void CollectProps(vtkIndirectRoom* room, bool interactive);
+  void CollectProps(vtkIndirectCasterBounds* casterBounds, bool interactive);
   void AddOpaque(vtkProp* prop, vtkBoundingBox& box);
   void CollectLights();
   void SetUpEye();

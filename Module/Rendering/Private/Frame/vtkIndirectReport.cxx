@@ -126,7 +126,7 @@ std::string vtkIndirectReport::ToJSON(const vtkIndirectStageTimer& timer) const
   report["changed"] = this->Changed;
   report["counters"] = this->Counters;
   report["paths"] = JSON::object();
-  for (const auto& path : this->Paths)
+  for (const auto& path : this->BackEndChoices)
   {
     report["paths"][path.first] = path.second;
   }

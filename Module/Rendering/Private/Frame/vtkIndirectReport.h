@@ -33,8 +33,8 @@ struct vtkIndirectReport
   std::vector<std::string> Changed;
   /** How often data kept between frames were made again since construction, by name. */
   std::map<std::string, long long> Counters;
-  /** Methods in use, name and value; see vtkIndirectPaths. */
-  Entries Paths;
+  /** Methods in use, name and value; see vtkIndirectBackEndChoices. */
+  Entries BackEndChoices;
 
   /** Appends entries to Modelled and to LeftOut. */
   void Add(const Entries& modelled, const Entries& leftOut)

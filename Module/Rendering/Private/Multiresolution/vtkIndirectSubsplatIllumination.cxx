@@ -6,7 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectPlan.h"
-#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "VirtualLights/vtkIndirectLightBlock.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkTextureObject.h"
@@ -34,7 +34,8 @@ const vtkIndirectChannel FloatChannels[] = {
 // invocations in a group of 64.
 std::string GetGrouping()
 {
-  return vtkIndirectPaths::Get(vtkIndirectPaths::Grouping) == vtkIndirectPaths::GroupingOfFour
+  return vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Grouping) ==
+      vtkIndirectBackEndChoices::GroupingOfFour
     ? "#define VTKI_BLOCKS 4\n#define VTKI_INVOCATIONS 16\n"
     : "#define VTKI_BLOCKS 2\n#define VTKI_INVOCATIONS 32\n";
 }

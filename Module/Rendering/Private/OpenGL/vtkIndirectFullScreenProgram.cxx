@@ -3,9 +3,9 @@
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectComputeProgram.h"
 #include "OpenGL/vtkIndirectFlatUniforms.h"
-#include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkOpenGLQuadHelper.h"
@@ -98,7 +98,8 @@ vtkShaderProgram* vtkIndirectFullScreenProgram::Use(vtkOpenGLRenderWindow* windo
     std::string fragment =
       vtkIndirectShaderLibrary::GetShader(this->Stage, this->Definitions, this->Gather);
     std::string vertex = VertexShader;
-    if (vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat)
+    if (vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Uniforms) ==
+      vtkIndirectBackEndChoices::UniformsFlat)
     {
       // Limit of OpenGL on the processor; the compiler drops varyings that no result depends on.
       GLint maximum = 128;
@@ -129,7 +130,8 @@ vtkShaderProgram* vtkIndirectFullScreenProgram::Use(
 vtkShaderProgram* vtkIndirectFullScreenProgram::Use(
   vtkOpenGLRenderWindow* window, const vtkIndirectTarget& target, bool adds)
 {
-  if (vtkIndirectPaths::Get(vtkIndirectPaths::Kernels) == vtkIndirectPaths::KernelsFragment)
+  if (vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Kernels) ==
+    vtkIndirectBackEndChoices::KernelsFragment)
   {
     return this->Use(window);
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A full-screen program made from an embedded stage file: a fragment shader, or, if it writes all
-// of a target and vtkIndirectPaths selects it, the same text as a compute shader.
+// of a target and vtkIndirectBackEndChoices selects it, the same text as a compute shader.
 #ifndef vtkIndirectFullScreenProgram_h
 #define vtkIndirectFullScreenProgram_h
 

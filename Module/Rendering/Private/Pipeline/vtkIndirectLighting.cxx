@@ -183,12 +183,12 @@ void vtkIndirectLighting::SetRig(
   {
     key.Add("lights", lamp.Direction).Add("lights", lamp.Color);
   }
-  if (key == this->RigKey)
+  if (key == this->PresetLightsKey)
   {
     return;
   }
-  this->RigKey = std::move(key);
-  this->Rig = vtkIndirectLightRig::Make(preset, lamps, albedo);
+  this->PresetLightsKey = std::move(key);
+  this->PresetLights = vtkIndirectPresetLights::Make(preset, lamps, albedo);
 
   // The image is laid out for vtkEnvironmentLight: the middle is ahead, which is -z; the bottom row
   // is first.
@@ -202,8 +202,9 @@ void vtkIndirectLighting::SetRig(
     for (int i = 0; i < Columns; ++i)
     {
       const double longitude = 2.0 * vtkMath::Pi() * ((i + 0.5) / Columns - 0.5);
-      const glm::dvec3 radiance = this->Rig.GetRadiance({ std::cos(latitude) * std::sin(longitude),
-        std::sin(latitude), -std::cos(latitude) * std::cos(longitude) });
+      const glm::dvec3 radiance =
+        this->PresetLights.GetRadiance({ std::cos(latitude) * std::sin(longitude),
+          std::sin(latitude), -std::cos(latitude) * std::cos(longitude) });
       for (int c = 0; c < 3; ++c)
       {
         *pixel++ = static_cast<float>(radiance[c]);
@@ -214,11 +215,11 @@ void vtkIndirectLighting::SetRig(
 
   this->Lights->RemoveAllItems();
   this->Directions.clear();
-  if (this->Rig.Key.Color != glm::dvec3(0.0))
+  if (this->PresetLights.Key.Color != glm::dvec3(0.0))
   {
-    this->AddLight(this->Rig.Key, false);
+    this->AddLight(this->PresetLights.Key, false);
   }
-  for (const vtkIndirectLamp& fill : this->Rig.Fills)
+  for (const vtkIndirectLamp& fill : this->PresetLights.Fills)
   {
     this->AddLight(fill, true);
   }
@@ -238,8 +239,8 @@ void vtkIndirectLighting::AddLight(const vtkIndirectLamp& lamp, bool fill)
     light->SetLightTypeToSceneLight();
   }
   vtkIndirectLightKeys::Set(
-    light, vtkIndirectLightKeys::Fill(), fill ? 1.0 : 1.0 - this->Rig.KeyShadow, 1.0);
-  light->SetShadowAttenuation(fill ? 0.0 : this->Rig.KeyShadow);
+    light, vtkIndirectLightKeys::Fill(), fill ? 1.0 : 1.0 - this->PresetLights.KeyShadow, 1.0);
+  light->SetShadowAttenuation(fill ? 0.0 : this->PresetLights.KeyShadow);
   this->Lights->AddItem(light);
   this->Directions.push_back(lamp.Direction);
 }
@@ -250,7 +251,7 @@ void vtkIndirectLighting::Turn(vtkRenderer* renderer)
   vtkCamera* camera = renderer->GetActiveCamera();
   const glm::dmat3 axes = FindAxes(camera);
   // Turning does not change a uniform sky.
-  if (!this->Rig.Lobes.empty())
+  if (!this->PresetLights.Lobes.empty())
   {
     this->Sky->SetRight(axes[0].x, axes[0].y, axes[0].z);
     this->Sky->SetUp(axes[1].x, axes[1].y, axes[1].z);
@@ -286,15 +287,15 @@ void vtkIndirectLighting::AddToReport(vtkIndirectReport& report) const
   }
   std::string what;
   auto add = [&what](const std::string& part) { what += (what.empty() ? "" : ", ") + part; };
-  if (this->Rig.Key.Color != glm::dvec3(0.0))
+  if (this->PresetLights.Key.Color != glm::dvec3(0.0))
   {
     add("a key light with shadows");
   }
-  add(Count(this->Rig.Fills.size(), "light") + " without shadows");
+  add(Count(this->PresetLights.Fills.size(), "light") + " without shadows");
   if (this->Environment == this->Sky.Get())
   {
-    add("a sky of radiance " + vtkIndirectReport::Number(this->Rig.Ambient.x, 3) + " and " +
-      Count(this->Rig.Lobes.size(), "soft light") + ", which follow the camera");
+    add("a sky of radiance " + vtkIndirectReport::Number(this->PresetLights.Ambient.x, 3) +
+      " and " + Count(this->PresetLights.Lobes.size(), "soft light") + ", which follow the camera");
   }
   else
   {

@@ -5,9 +5,9 @@
 #ifndef vtkIndirectLighting_h
 #define vtkIndirectLighting_h
 
-#include "Frame/vtkIndirectKey.h"              // for keys
-#include "VirtualLights/vtkIndirectLightRig.h" // for members
-#include "vtkNew.h"                            // for members
+#include "Frame/vtkIndirectKey.h"                  // for keys
+#include "VirtualLights/vtkIndirectPresetLights.h" // for members
+#include "vtkNew.h"                                // for members
 
 #include <string> // for reasons
 #include <vector> // for lists
@@ -51,8 +51,8 @@ private:
   int Preset; // preset of the last frame
   bool Inactive = false;
   int NumberOfReplaced = 0;
-  vtkIndirectLightRig Rig;
-  vtkIndirectKey RigKey; // the inputs of the rig
+  vtkIndirectPresetLights PresetLights;
+  vtkIndirectKey PresetLightsKey; // the inputs of the lights of the preset
   vtkEnvironmentLight* Environment = nullptr;
   vtkNew<vtkEnvironmentLight> Sky;
   vtkNew<vtkLightCollection> Lights;

@@ -7,7 +7,7 @@
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectLightScope.h"
 #include "Gather/vtkIndirectSum.h"
-#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
@@ -53,10 +53,10 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   this->Frame = vtkIndirectFrame();
   if (!request.Settings.Caching)
   {
-    this->Room.Forget();
+    this->CasterBounds.Forget();
   }
   const bool interactive = vtkIndirectPlan::IsInteractive(request.Circumstances.UpdateRate);
-  this->Frame.Build(s, &this->Room, interactive);
+  this->Frame.Build(s, &this->CasterBounds, interactive);
   this->Levels.Update(this->Frame);
   this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
@@ -141,7 +141,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   {
     this->Penumbra.Release(this->Frame.Window);
   }
-  this->Paths = vtkIndirectPaths::GetAll();
+  this->BackEndChoices = vtkIndirectBackEndChoices::GetAll();
   this->DepthMaps.Begin(this->Frame, request.Settings.Caching);
   this->Capture->SetDelegatePass(request.Delegate);
   this->Capture->SetShadows(this->Plan.Shadows);

@@ -10,12 +10,12 @@
 #include "Capture/vtkSurfaceCapturePass.h"          // for members
 #include "Composite/vtkIndirectAntialiasing.h"      // for members
 #include "Composite/vtkIndirectComposite.h"         // for members
+#include "Frame/vtkIndirectCasterBounds.h"          // for a member
 #include "Frame/vtkIndirectEstimate.h"              // for members
 #include "Frame/vtkIndirectFrame.h"                 // for members
 #include "Frame/vtkIndirectKey.h"                   // for keys
 #include "Frame/vtkIndirectPlan.h"                  // for members
 #include "Frame/vtkIndirectReport.h"                // for members
-#include "Frame/vtkIndirectRoom.h"                  // for a member
 #include "Frame/vtkIndirectStageTimer.h"            // for members
 #include "Gather/vtkIndirectAreaGather.h"           // for members
 #include "Gather/vtkIndirectSkyGather.h"            // for members
@@ -161,7 +161,7 @@ private:
 
   // Data of the last frame.
   vtkIndirectFrame Frame;
-  vtkIndirectRoom Room; // room of the frame's casters
+  vtkIndirectCasterBounds CasterBounds; // wide bounds of the frame's casters
   vtkIndirectPlan Plan;
   vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
   vtkEnvironmentLight* Environment = nullptr;
@@ -173,10 +173,10 @@ private:
   // The estimator of the last frame: its buffers stay readable when the pass gets another one.
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
-  vtkTimeStamp Identity;            // identifies this user of an estimator
-  bool TargetIsClear = false;       // the frame's target is clear
-  bool DepthIsDrawn = false;        // depth is drawn into the target, sample by sample
-  vtkIndirectReport::Entries Paths; // paths in use
+  vtkTimeStamp Identity;                     // identifies this user of an estimator
+  bool TargetIsClear = false;                // the frame's target is clear
+  bool DepthIsDrawn = false;                 // depth is drawn into the target, sample by sample
+  vtkIndirectReport::Entries BackEndChoices; // choices in force
 
   vtkIndirectKey FrameKey;     // the inputs of all light of the frame
   vtkIndirectKey LastFrameKey; // key of the frame before

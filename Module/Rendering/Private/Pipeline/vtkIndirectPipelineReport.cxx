@@ -88,7 +88,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     }
     return;
   }
-  report.Paths = this->Paths;
+  report.BackEndChoices = this->BackEndChoices;
   report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes() +
     this->SkyMaps.GetBytes() + this->Area.GetBytes() + this->VisibleLamps.GetBytes();
   report.Changed = this->FrameKey.FindChanges(this->LastFrameKey);

@@ -6,8 +6,8 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyChannels.h"
@@ -62,7 +62,8 @@ vtkIndirectProxySums::vtkIndirectProxySums()
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::UsesTiles()
 {
-  return vtkIndirectPaths::Get(vtkIndirectPaths::Splats) == vtkIndirectPaths::SplatsInTiles;
+  return vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Splats) ==
+    vtkIndirectBackEndChoices::SplatsInTiles;
 }
 
 //------------------------------------------------------------------------------

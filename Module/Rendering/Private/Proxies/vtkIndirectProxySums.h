@@ -24,7 +24,7 @@ class vtkIndirectProxySums
 public:
   vtkIndirectProxySums();
 
-  /** True if this OpenGL sums in tiles; see vtkIndirectPaths. */
+  /** True if this OpenGL sums in tiles; see vtkIndirectBackEndChoices. */
   static bool UsesTiles();
 
   struct Input

@@ -5,8 +5,8 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectFlatUniforms.h"
-#include "OpenGL/vtkIndirectPaths.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
@@ -71,7 +71,8 @@ private:
 //------------------------------------------------------------------------------
 bool vtkIndirectSplats::UsesTiles()
 {
-  return vtkIndirectPaths::Get(vtkIndirectPaths::Splats) == vtkIndirectPaths::SplatsInTiles;
+  return vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Splats) ==
+    vtkIndirectBackEndChoices::SplatsInTiles;
 }
 
 //------------------------------------------------------------------------------
@@ -100,7 +101,8 @@ vtkShaderProgram* vtkIndirectSplats::Use(
       vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatVS.glsl", definitions);
     shaders.FragmentText =
       vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatFS.glsl", definitions);
-    if (vtkIndirectPaths::Get(vtkIndirectPaths::Uniforms) == vtkIndirectPaths::UniformsFlat)
+    if (vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Uniforms) ==
+      vtkIndirectBackEndChoices::UniformsFlat)
     {
       // In addition to the light's own varyings.
       vtkIndirectFlatUniforms::Move(shaders.VertexText, shaders.FragmentText, 44);

@@ -17,7 +17,7 @@ class vtkShaderProgram;
 class vtkIndirectSplats
 {
 public:
-  /** True if this OpenGL sums in tiles; see vtkIndirectPaths. */
+  /** True if this OpenGL sums in tiles; see vtkIndirectBackEndChoices. */
   static bool UsesTiles();
 
   /**

@@ -6,8 +6,9 @@
 const vtkIndirectChannel vtkIndirectLightTable[] = {
   { "lights.position", "vtkiLightPosition", "position, area", GL_RGBA32F, "scene",
     "scene units, scene units squared" },
-  { "lights.normal", "vtkiLightNormal", "normal, reach", GL_RGBA32F, "scene", "1, scene units" },
-  { "lights.density", "vtkiLightDensity", "reflected radiance times area, source or blunt area",
+  { "lights.normal", "vtkiLightNormal", "normal, child distance", GL_RGBA32F, "scene",
+    "1, scene units" },
+  { "lights.density", "vtkiLightDensity", "reflected radiance times area, source or softening",
     GL_RGBA32F, "-", "VTK radiance times scene units squared" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };

@@ -121,8 +121,8 @@ void vtkIndirectSampler::Fill(vtkIndirectTarget& table, const std::vector<Row>& 
   {
     const Row& light = i < rows.size() ? rows[i] : empty;
     add(PositionArea, light.Position, light.Area);
-    add(NormalReach, light.Normal, light.Reach);
-    add(DensityArea, light.DensityArea, source < 0.0 ? light.BluntArea : source);
+    add(NormalChildDistance, light.Normal, light.ChildDistance);
+    add(DensityArea, light.DensityArea, source < 0.0 ? light.ContactSoftening : source);
   }
   for (int channel = 0; channel < 3; ++channel)
   {

@@ -69,11 +69,11 @@ public:
   /** Channels of the table, with a texel for each light; empty places have no density. */
   enum Channel
   {
-    PositionArea, // scene units; or unit direction to the light, minus its solid angle
-    NormalReach,  // unit normal of the sender; distance within which its branches are summed, 0:
-                  // none
-    DensityArea   // reflected radiance times area, or radiance times solid angle; source, or of
-                  // branches the blunt area (vtkiFindPatchLight)
+    PositionArea,        // scene units; or unit direction to the light, minus its solid angle
+    NormalChildDistance, // unit normal of the sender; distance within which its branches are
+                         // summed, 0: none
+    DensityArea // reflected radiance times area, or radiance times solid angle; source, or of
+                // branches the contact softening (vtkiFindPatchLight)
   };
   /**
    * Channels of the table of lobes, with a texel for each light; lights without a lobe have no
@@ -94,8 +94,8 @@ public:
     double Area;
     double Normal[3];
     double DensityArea[3];
-    double Reach = 0.0;
-    double BluntArea = 0.0; // only for a branch
+    double ChildDistance = 0.0;
+    double ContactSoftening = 0.0; // only for a branch
     /** Unit; this and the next two are the lobe's. Without density there is no lobe. */
     double LobeDirection[3] = { 0.0, 0.0, 1.0 };
     double LobeExponent = 0.0;

@@ -360,7 +360,7 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   // Sums of sent light, times the following quantities.
   double turned = 0.0;    // normals by places
   double within = 0.0;    // areas of senders
-  double smoothing = 0.0; // blunt shares of senders
+  double smoothing = 0.0; // contact softening of senders
   for (size_t i = cluster.Begin; i < cluster.End; ++i)
   {
     const Sender& sender = this->Senders[this->Entries[i].Sender];
@@ -394,7 +394,7 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   {
     light.Area = area / total;
     light.Stretched = 6.0 * cluster.Spread + within / total;
-    light.BluntArea = std::min(light.Area, light.Stretched) * smoothing / total;
+    light.ContactSoftening = std::min(light.Area, light.Stretched) * smoothing / total;
     // The covariance of normals and places adds to the mean of the weights: a patch on a bowl
     // appears as if its mean place lay twice as far before the surface, a patch on a ball as if it
     // lay twice as far behind it.
@@ -495,7 +495,7 @@ void vtkIndirectSenderClusters::AddLobe(
 // Returns the distance within which a node's error exceeds the limit. The node gives at most E = DA
 // / (pi d^2), of which a share of about (s / d)^4 is wrong; s is the root mean square distance of
 // its light from its mean place.
-double vtkIndirectSenderClusters::FindReach(
+double vtkIndirectSenderClusters::FindChildDistance(
   const Light& light, const Cluster& cluster, double limit)
 {
   if (cluster.End - cluster.Begin < 2 || !(limit > 0.0))
@@ -518,30 +518,30 @@ void vtkIndirectSenderClusters::MakeBranches(
   for (size_t i = 0; i < children.size(); ++i)
   {
     Light child = this->MakeLight(children[i], strengths);
-    child.Reach = FindReach(child, children[i], limit);
+    child.ChildDistance = FindChildDistance(child, children[i], limit);
     MakePatch(child);
     const size_t family = first + i * (perNode + 1);
     all[family] = child;
-    if (child.Reach > 0.0)
+    if (child.ChildDistance > 0.0)
     {
       const std::vector<Cluster> leaves =
         this->Divide(children[i].Begin, children[i].End, perNode, perNode);
-      double blunt = 0.0;
+      double softening = 0.0;
       for (size_t k = 0; k < leaves.size(); ++k)
       {
         Light leaf = this->MakeLight(leaves[k], strengths);
         MakePatch(leaf);
-        blunt += Sum(leaf.DensityArea) * leaf.BluntArea;
+        softening += Sum(leaf.DensityArea) * leaf.ContactSoftening;
         all[family + 1 + k] = leaf;
       }
       const double sent = Sum(child.DensityArea);
-      all[family].BluntArea = sent > 0.0 ? blunt / sent : child.BluntArea;
+      all[family].ContactSoftening = sent > 0.0 ? softening / sent : child.ContactSoftening;
     }
   }
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
+vtkIndirectSenderClusters::LightTree vtkIndirectSenderClusters::MakeLights(
   const std::vector<glm::dvec3>& strengths, int count, double error, double nearness, int least)
 {
   const std::vector<double> weights = FindWeights(strengths);
@@ -554,20 +554,20 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
     this->Least = fewest;
     this->DivideAll(weights, count, divides);
   }
-  Lights lights;
-  lights.Tops.reserve(this->Clusters.size());
+  LightTree lights;
+  lights.Lights.reserve(this->Clusters.size());
   bool divided = false;
   for (const Cluster& cluster : this->Clusters)
   {
-    lights.Tops.push_back(this->MakeLight(cluster, strengths));
+    lights.Lights.push_back(this->MakeLight(cluster, strengths));
     divided = divided || cluster.End - cluster.Begin > 1;
   }
-  const double limit = divided ? error * FindMeanIrradiance(this->Senders, lights.Tops) : 0.0;
-  for (size_t i = 0; i < lights.Tops.size(); ++i)
+  const double limit = divided ? error * FindMeanIrradiance(this->Senders, lights.Lights) : 0.0;
+  for (size_t i = 0; i < lights.Lights.size(); ++i)
   {
-    Light& light = lights.Tops[i];
+    Light& light = lights.Lights[i];
     const Cluster& cluster = this->Clusters[i];
-    light.Reach = FindReach(light, cluster, limit);
+    light.ChildDistance = FindChildDistance(light, cluster, limit);
     if (limit > 0.0)
     {
       MakePatch(light);
@@ -577,14 +577,14 @@ vtkIndirectSenderClusters::Lights vtkIndirectSenderClusters::MakeLights(
   if (limit > 0.0)
   {
     Light nothing;
-    nothing.Reach = -1.0;
-    lights.Branches.assign(lights.Tops.size() * vtkIndirectKernels::VTKI_BRANCHES, nothing);
-    vtkSMPTools::For(0, static_cast<vtkIdType>(lights.Tops.size()),
+    nothing.ChildDistance = -1.0;
+    lights.Branches.assign(lights.Lights.size() * vtkIndirectKernels::VTKI_BRANCHES, nothing);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(lights.Lights.size()),
       [&](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType i = begin; i < end; ++i)
         {
-          if (lights.Tops[static_cast<size_t>(i)].Reach > 0.0)
+          if (lights.Lights[static_cast<size_t>(i)].ChildDistance > 0.0)
           {
             this->MakeBranches(static_cast<size_t>(i), strengths, limit, lights.Branches);
           }

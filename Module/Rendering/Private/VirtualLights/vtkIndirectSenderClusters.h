@@ -29,7 +29,7 @@ public:
     float Area;
     glm::vec3 Reflected; // density times area, under a light of strength one
     int Map;
-    float Smoothing = 1.0f; // blunt area of its leaf over the leaf's area
+    float Smoothing = 1.0f; // contact softening of its leaf over the leaf's area
     // The lobe of specular reflection, if there is one.
     glm::vec3 LobeDirection{ 0.0f, 0.0f, 1.0f };
     float LobeExponent = 0.0f;
@@ -46,13 +46,13 @@ public:
     double Shift = 0.0;     // distance from its place to the origin of its light, in lengths of the
                             // normal
     /**
-     * The area that makes it blunt to nearby receivers (vtkiFindPatchLight): that of the leaves
+     * The area that softens contacts with nearby receivers (vtkiFindPatchLight): that of the leaves
      * around the receivers, so that nodes that are seen as a whole from farther off add up with
      * these leaves.
      */
-    double BluntArea = 1.0;
+    double ContactSoftening = 1.0;
     glm::dvec3 DensityArea{ 0.0 };
-    double Reach = 0.0; // receivers nearer than this sum its branches in its place
+    double ChildDistance = 0.0; // receivers nearer than this sum its branches in its place
     /** One lobe in place of the lobes of its senders, with their flux and their total width. */
     glm::dvec3 LobeDirection{ 0.0, 0.0, 1.0 };
     double LobeExponent = 0.0;
@@ -69,12 +69,12 @@ public:
   const std::vector<Sender>& GetSenders() const { return this->Senders; }
   size_t GetNumberOfSenders() const { return this->Senders.size(); }
 
-  struct Lights
+  struct LightTree
   {
-    std::vector<Light> Tops;
+    std::vector<Light> Lights;
     /**
      * The nodes below each light, vtkIndirectKernels::VTKI_BRANCHES for each: unused places send
-     * nothing and have a reach below zero. Empty if no light has branches.
+     * nothing and have a child distance below zero. Empty if no light has branches.
      */
     std::vector<Light> Branches;
   };
@@ -87,7 +87,7 @@ public:
    * error of the whole light exceeds `error` times the mean irradiance that the lights give each
    * other; 0: never.
    */
-  Lights MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error,
+  LightTree MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error,
     double nearness = StandardNearness, int least = 0);
   /**
    * This nearness suffices along connected surfaces; many small objects take all lights. Scene
@@ -99,11 +99,11 @@ public:
 
   /**
    * Returns the error of a node for an error tolerance of the irradiance. A receiver sums several
-   * nodes that are little farther than their reach, and most of their errors have the same sign. A
-   * third of the tolerance for each would keep the mean within it on smooth surfaces; folds, whose
-   * horizons cut nodes, need a third of that: with 0.35 the irradiance of a brain is 8.7 % below
-   * that of a path tracer, with 0.1 half as much. Smaller errors mend little more and cost a frame
-   * of a turning camera a quarter.
+   * nodes that are little farther than their child distance, and most of their errors have the same
+   * sign. A third of the tolerance for each would keep the mean within it on smooth surfaces;
+   * folds, whose horizons cut nodes, need a third of that: with 0.35 the irradiance of a brain
+   * is 8.7 % below that of a path tracer, with 0.1 half as much. Smaller errors mend little more
+   * and cost a frame of a turning camera a quarter.
    */
   static double FindError(double tolerance) { return 0.1 * tolerance; }
 
@@ -140,7 +140,7 @@ private:
     const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
   void AddLobe(
     const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
-  static double FindReach(const Light& light, const Cluster& cluster, double limit);
+  static double FindChildDistance(const Light& light, const Cluster& cluster, double limit);
   void MakeBranches(
     size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all);
 

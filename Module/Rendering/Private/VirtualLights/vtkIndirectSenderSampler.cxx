@@ -59,8 +59,8 @@ bool vtkIndirectSenderSampler::UpdateScene(const vtkIndirectFrame& frame)
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
     caster.AppendTo(key);
-    // Maps are fitted to the casters' room.
-    key.Add("bounds", caster.Bounds, 6).Add("room", caster.GetFit(), 6);
+    // Maps are fitted to the casters' wide bounds.
+    key.Add("bounds", caster.Bounds, 6).Add("wide bounds", caster.GetFit(), 6);
   }
   const bool changed = key != this->Scene;
   this->Scene = std::move(key);
@@ -183,9 +183,9 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     strengths.push_back(emitter.Strength);
   }
   const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
-  const vtkIndirectSenderClusters::Lights lights =
+  const vtkIndirectSenderClusters::LightTree lights =
     this->Clusters.MakeLights(strengths, this->NumberOfLights, this->Divides ? error : 0.0);
-  if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Tops),
+  if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Lights),
         vtkIndirectSenderTexels::MakeRows(lights.Branches)))
   {
     return false;

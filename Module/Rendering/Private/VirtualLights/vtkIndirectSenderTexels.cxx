@@ -21,7 +21,7 @@ bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
   }
   const vtkIndirectTarget& table = this->Texels.GetTable();
   const std::vector<float> position = table.ReadBack(vtkIndirectSampler::PositionArea);
-  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalReach);
+  const std::vector<float> normal = table.ReadBack(vtkIndirectSampler::NormalChildDistance);
   const std::vector<float> density = table.ReadBack(vtkIndirectSampler::DensityArea);
   const size_t count = static_cast<size_t>(this->Texels.GetActualNumberOfLights());
   const vtkIndirectTarget* lobes = this->Texels.GetLobes();
@@ -69,9 +69,9 @@ std::vector<vtkIndirectSampler::Row> vtkIndirectSenderTexels::MakeRows(
   {
     rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
       { light.Normal.x, light.Normal.y, light.Normal.z },
-      { light.DensityArea.x, light.DensityArea.y, light.DensityArea.z }, light.Reach,
-      light.BluntArea, { light.LobeDirection.x, light.LobeDirection.y, light.LobeDirection.z },
-      light.LobeExponent,
+      { light.DensityArea.x, light.DensityArea.y, light.DensityArea.z }, light.ChildDistance,
+      light.ContactSoftening,
+      { light.LobeDirection.x, light.LobeDirection.y, light.LobeDirection.z }, light.LobeExponent,
       { light.LobeDensityArea.x, light.LobeDensityArea.y, light.LobeDensityArea.z } });
   }
   return rows;

@@ -35,9 +35,9 @@ vtkIndirectVirtualLights::vtkIndirectVirtualLights()
 const vtkIndirectTarget* vtkIndirectVirtualLights::GetPart(
   const vtkIndirectSampler::Pointer& sampler, Part part)
 {
-  return part == Tops  ? &sampler->GetTable()
-    : part == Branches ? sampler->GetBranches()
-                       : sampler->GetLobes();
+  return part == Lights ? &sampler->GetTable()
+    : part == Branches  ? sampler->GetBranches()
+                        : sampler->GetLobes();
 }
 
 //------------------------------------------------------------------------------
@@ -118,7 +118,7 @@ bool vtkIndirectVirtualLights::Join(const Input& input, const Samplers& samplers
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
-  if (!this->JoinTables(window, samplers, this->Joined, Tops) ||
+  if (!this->JoinTables(window, samplers, this->Joined, Lights) ||
     (branches && !this->JoinTables(window, samplers, this->JoinedBranches, Branches)) ||
     (lobes && !this->JoinTables(window, samplers, this->JoinedLobes, Lobes)))
   {
@@ -268,8 +268,8 @@ void vtkIndirectVirtualLights::CopyBranches(
   auto* out = static_cast<float*>(image->GetScalarPointer());
   for (int i = 0; i < count; ++i)
   {
-    float& bluntArea = out[12 * i + 11];
-    bluntArea = static_cast<float>(bluntArea / frame.SceneScale / frame.SceneScale);
+    float& softening = out[12 * i + 11];
+    softening = static_cast<float>(softening / frame.SceneScale / frame.SceneScale);
   }
 }
 

@@ -90,7 +90,7 @@ private:
   bool Join(const Input& input, const Samplers& samplers);
   enum Part
   {
-    Tops,
+    Lights,
     Branches,
     Lobes
   };

@@ -127,7 +127,7 @@ void vtkIndirectVisibility::ReadLights(const vtkIndirectVirtualLights& lights)
   const size_t count = static_cast<size_t>(lights.GetNumberOfLights());
   const vtkIndirectTarget& table = lights.GetTable();
   const auto position = table.ReadBack(vtkIndirectSampler::PositionArea);
-  const auto normal = table.ReadBack(vtkIndirectSampler::NormalReach);
+  const auto normal = table.ReadBack(vtkIndirectSampler::NormalChildDistance);
   const auto density = table.ReadBack(vtkIndirectSampler::DensityArea);
   const auto lobes = lights.HasLobes()
     ? lights.GetLobes()->ReadBack(vtkIndirectSampler::LobeDensityArea)

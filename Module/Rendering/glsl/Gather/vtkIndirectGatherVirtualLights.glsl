@@ -8,7 +8,7 @@
 #endif
 
 uniform sampler2D vtkiLightPosition; // position, area
-uniform sampler2D vtkiLightNormal;   // normal, reach
+uniform sampler2D vtkiLightNormal;   // normal, child distance
 uniform sampler2D vtkiLightDensity;  // reflected density times area, source
 uniform ivec2 vtkiLightRows; // first row, one past the last row
 uniform int vtkiLightCount;
@@ -27,7 +27,7 @@ bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender
   inout vec3 irradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
-  float weight = vtkiSenderWeight(toSender, senderNormal, normal, sender.w, vtkiBluntArea(senderNormal.w, sender.w));
+  float weight = vtkiSenderWeight(toSender, senderNormal, normal, sender.w, vtkiSoftening(senderNormal.w, sender.w));
   float division = 0.0f;
 #ifdef VTKI_DIVIDED
   division = vtkiDivision(dot(toSender, toSender), senderNormal.w);

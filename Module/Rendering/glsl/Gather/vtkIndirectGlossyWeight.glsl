@@ -10,7 +10,7 @@ float vtkiWeightInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area)
   return vtkiGlossyWeight(
     toSender, normalS, normalR, vtkiReceiverMirror, vtkiReceiverPower, area);
 }
-float vtkiPatchInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area, float bluntArea)
+float vtkiPatchInLobe(vec3 toSender, vec3 normalS, vec3 normalR, float area, float softening)
 {
   return vtkiWeightInLobe(toSender, normalS, normalR, area);
 }

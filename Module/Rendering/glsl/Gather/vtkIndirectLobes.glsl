@@ -6,7 +6,7 @@
 #endif
 
 uniform sampler2D vtkiLightPosition; // position, area
-uniform sampler2D vtkiLightNormal;   // normal, reach
+uniform sampler2D vtkiLightNormal;   // normal, child distance
 uniform sampler2D vtkiLobeDirection; // direction, exponent
 uniform sampler2D vtkiLobeDensity;   // flux density times area
 uniform ivec2 vtkiLightRows; // first row, one past the last row

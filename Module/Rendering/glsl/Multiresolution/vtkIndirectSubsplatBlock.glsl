@@ -105,7 +105,7 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
     nearest = max(nearest, division);
     share[i] -= division;
 #endif
-    vtkiAddSeenLight(position[i], normal[i], share[i], vtkiBluntArea(senderNormal.w, sender.w), sender, senderNormal,
+    vtkiAddSeenLight(position[i], normal[i], share[i], vtkiSoftening(senderNormal.w, sender.w), sender, senderNormal,
       density, irradiance[i], vectorIrradiance[i]);
   }
   return nearest > 0.0f;

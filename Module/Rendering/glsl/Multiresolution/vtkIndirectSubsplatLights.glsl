@@ -20,7 +20,7 @@ uniform sampler2D vtkiLightDensity;
 uniform int vtkiFirstLight; // the first light's number in the table
 uniform int vtkiLightCount;
 
-// Fetches a light from the textures: position and area, normal and reach, density times area.
+// Fetches a light from the textures: position and area, normal and child distance, density times area.
 void vtkiFetchLight(int i, out vec4 sender, out vec4 senderNormal, out vec3 density)
 {
   ivec2 at = vtkiTableTexel(vtkiFirstLight + i);
@@ -30,11 +30,11 @@ void vtkiFetchLight(int i, out vec4 sender, out vec4 senderNormal, out vec3 dens
 }
 
 // share: of the light as a whole, 0 if it is occluded.
-void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float bluntArea, vec4 sender, vec4 senderNormal,
+void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float softening, vec4 sender, vec4 senderNormal,
   vec3 density, inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
   vec3 toSender = vtkiToSender(sender, position);
-  vtkiPatchLight light = vtkiFindSender(toSender, senderNormal, normal, sender.w, bluntArea);
+  vtkiPatchLight light = vtkiFindSender(toSender, senderNormal, normal, sender.w, softening);
   float cosine = dot(normal, light.toPlace);
   float strength = cosine > 0.0f ? share * light.strength : 0.0f;
   irradiance += (strength * cosine) * density;
@@ -69,7 +69,7 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
   division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
 #endif
   bool seen = vtkiSees(position, normal, open, light, sender, senderNormal, density, division);
-  vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiBluntArea(senderNormal.w, sender.w), sender,
+  vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiSoftening(senderNormal.w, sender.w), sender,
     senderNormal, density, irradiance, vectorIrradiance);
   return seen && division > 0.0f;
 }
@@ -77,11 +77,11 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
 #ifdef VTKI_DIVIDED
 // Adds the branches of a cluster that the receiver is near to and sees. light: its number in the
 // table.
-void vtkiAddBelow(vec3 position, vec3 normal, int light, vec4 sender, float reach, inout vec3 irradiance,
+void vtkiAddBelow(vec3 position, vec3 normal, int light, vec4 sender, float childDistance, inout vec3 irradiance,
   inout vec3 vectorIrradiance)
 {
   vec3 toSender = sender.xyz - position;
-  float share = vtkiDivision(dot(toSender, toSender), reach);
+  float share = vtkiDivision(dot(toSender, toSender), childDistance);
   float below = 0.0f;
   int place = share > 0.0f ? 0 : VTKI_BRANCHES;
   while (place < VTKI_BRANCHES)

@@ -12,12 +12,12 @@ uniform sampler2D vtkiBranchPosition;
 uniform sampler2D vtkiBranchNormal;
 uniform sampler2D vtkiBranchDensity;
 
-// Share of a cluster's light that comes from its branches: all within eight tenths of its reach,
+// Share of a cluster's light that comes from its branches: all within eight tenths of its child distance,
 // none beyond it.
-float vtkiDivision(float distance2, float reach)
+float vtkiDivision(float distance2, float childDistance)
 {
-  float reach2 = max(reach * reach, 1.0e-30f);
-  return clamp((reach2 - distance2) / (0.36f * reach2), 0.0f, 1.0f);
+  float childDistance2 = max(childDistance * childDistance, 1.0e-30f);
+  return clamp((childDistance2 - distance2) / (0.36f * childDistance2), 0.0f, 1.0f);
 }
 
 void vtkiKeepNear(inout uvec4 near, int light, bool isNear)
@@ -45,14 +45,14 @@ int vtkiTakeNear(inout uvec4 near)
 }
 
 // Next place of the walk through a cluster's branches: a child if below is set, otherwise the next
-// branch. A negative reach ends the siblings: neither this place nor those after it hold one.
-int vtkiNextBranch(int place, float reach, bool below)
+// branch. A negative child distance ends the siblings: neither this place nor those after it hold one.
+int vtkiNextBranch(int place, float childDistance, bool below)
 {
   const int family = VTKI_BRANCHES_PER_NODE + 1;
   int afterwards = (place / family + 1) * family;
   bool isChild = place % family == 0;
-  int past = isChild && reach < 0.0f ? VTKI_BRANCHES : afterwards;
-  return reach >= 0.0f && (below || !isChild) ? place + 1 : past;
+  int past = isChild && childDistance < 0.0f ? VTKI_BRANCHES : afterwards;
+  return childDistance >= 0.0f && (below || !isChild) ? place + 1 : past;
 }
 
 bool vtkiIsChild(int place)

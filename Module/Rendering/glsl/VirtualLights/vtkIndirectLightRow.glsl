@@ -14,19 +14,19 @@ vec3 vtkiToSender(vec4 sender, vec3 position)
 
 // Area by which contacts of a cluster are softened: with branches of two generations, the area of
 // the last generation.
-float vtkiBluntArea(float reach, float area)
+float vtkiSoftening(float childDistance, float area)
 {
   const float share = 1.0f / float(VTKI_BRANCHES_PER_NODE * VTKI_BRANCHES_PER_NODE);
-  return reach > 0.0f ? share * area : area;
+  return childDistance > 0.0f ? share * area : area;
 }
 
 // Light that arrives from a virtual light: times the receiver's cosine and the density it is the
 // irradiance; see vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) represent
 // patches of surfaces.
-vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float bluntArea)
+vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float softening)
 {
 #ifdef VTKI_DIVIDED
-  vtkiPatchLight light = vtkiFindPatchLight(toSender, senderNormal.xyz, normal, area, bluntArea);
+  vtkiPatchLight light = vtkiFindPatchLight(toSender, senderNormal.xyz, normal, area, softening);
 #else
   vtkiPatchLight light = vtkiPatchLight(toSender, vtkiVirtualLightStrength(toSender, senderNormal.xyz, area));
 #endif
@@ -37,7 +37,7 @@ vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, flo
   return light;
 }
 
-float vtkiSenderWeight(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float bluntArea)
+float vtkiSenderWeight(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float softening)
 {
 #ifdef VTKI_DIRECTIONS
   if (area < 0.0f)
@@ -46,7 +46,7 @@ float vtkiSenderWeight(vec3 toSender, vec4 senderNormal, vec3 normal, float area
   }
 #endif
 #ifdef VTKI_DIVIDED
-  return vtkiPatchLightWeight(toSender, senderNormal.xyz, normal, area, bluntArea);
+  return vtkiPatchLightWeight(toSender, senderNormal.xyz, normal, area, softening);
 #else
   return vtkiVirtualLightWeight(toSender, senderNormal.xyz, normal, area);
 #endif

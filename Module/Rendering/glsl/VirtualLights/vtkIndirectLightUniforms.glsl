@@ -6,7 +6,7 @@
 layout(std140) uniform vtkiLightBlock
 {
   vec4 vtkiBlockPosition[VTKI_LIGHTS]; // position, area
-  vec4 vtkiBlockNormal[VTKI_LIGHTS];   // normal, reach
+  vec4 vtkiBlockNormal[VTKI_LIGHTS];   // normal, child distance
   vec4 vtkiBlockDensity[VTKI_LIGHTS];  // reflected density times area, source
 };
 uniform int vtkiBlockCount;

@@ -88,7 +88,7 @@ struct vtkiPatchLight
 /* The patch's mean of the weight of its points, up to the second order in its width over the
  * distance, for any receiver that sees all of it; on the axis it is that of a disk of the same
  * variance, at any distance. toSender: to its middle; normalS: its mean normal; area: of a square,
- * so that A / 12 is the variance along either side; bluntArea: the square of the depth of contact
+ * so that A / 12 is the variance along either side; softening: the square of the depth of contact
  * softening.
  *   With h the height of the receiver over the patch, x the offset along it, b^2 = h^2 + s^2 / (s +
  * h^2) and R^2 = x^2 + b^2, a point's light along and towards the plane, h x / (pi R^4) and h^2 /
@@ -109,20 +109,20 @@ struct vtkiPatchLight
  * give: the back of a bowl is before its mean plane. For receivers that face the patch this is the
  * height over their facet, which may face the other way: too dark by the square of VTKI_PATCH_FACET
  * between two planes. */
-vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float bluntArea)
+vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float softening)
 {
   float r2 = dot(toSender, toSender);
   float across = vtkiShareOfSpread(normalS, normalR);
   float towards = -dot(normalS, toSender);
   float height = vtkiMeanOfSpread(towards, across * sqrt(vtkiSpreadOfNormals(normalS) * r2));
   float height2 = height * height;
-  float added2 = bluntArea * bluntArea / max(bluntArea + height2, 1.0e-30f);
-  float blunt2 = height2 + added2;
-  float depth = min(sqrt(blunt2) - height, 10.0f * height + across * (1000.0f * max(towards, 0.0f)));
+  float added2 = softening * softening / max(softening + height2, 1.0e-30f);
+  float softened2 = height2 + added2;
+  float depth = min(sqrt(softened2) - height, 10.0f * height + across * (1000.0f * max(towards, 0.0f)));
   float over = 1.0f / max(r2 + added2, 1.0e-18f);
   float v = area / 3.0f * over;
-  float t = v * over * blunt2;
-  float core = 2.0f * blunt2 * over * depth * dot(normalS, normalS);
+  float t = v * over * softened2;
+  float core = 2.0f * softened2 * over * depth * dot(normalS, normalS);
   float along = height + 2.0f * core;
   vtkiPatchLight light;
   light.toPlace = along * (1.0f + v) * toSender - (v * along * height + (1.0f + 2.0f * v) * core * depth) * normalS;
@@ -135,9 +135,9 @@ vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, flo
 }
 
 /* The weight of a patch light, as vtkiVirtualLightWeight. */
-float vtkiPatchLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float bluntArea)
+float vtkiPatchLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float softening)
 {
-  vtkiPatchLight light = vtkiFindPatchLight(toSender, normalS, normalR, area, bluntArea);
+  vtkiPatchLight light = vtkiFindPatchLight(toSender, normalS, normalR, area, softening);
   return max(dot(normalR, light.toPlace), 0.0f) * light.strength;
 }
 

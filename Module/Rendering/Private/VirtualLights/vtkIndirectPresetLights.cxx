@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "VirtualLights/vtkIndirectLightRig.h"
+#include "VirtualLights/vtkIndirectPresetLights.h"
 
 #include "vtkIndirectSettings.h"
 #include "vtkMath.h"
@@ -58,7 +58,8 @@ std::vector<vtkIndirectLamp> MakeKit(const glm::dvec3& color)
 {
   auto lamp = [&color](double elevation, double azimuth, double strength)
   {
-    return vtkIndirectLamp{ vtkIndirectLightRig::FromAngles(elevation, azimuth), strength * color };
+    return vtkIndirectLamp{ vtkIndirectPresetLights::FromAngles(elevation, azimuth),
+      strength * color };
   };
   return { lamp(5.0, -30.0, 0.6), lamp(0.0, 30.0, 0.4), lamp(0.0, 110.0, 0.2),
     lamp(0.0, -110.0, 0.2) };
@@ -77,7 +78,7 @@ bool IsHeadlight(const vtkIndirectLamp& lamp)
 // Gives the sky the lamps' irradiance through a sphere, summed over all directions (scalar), and
 // their net irradiance (vector): the first two bands of spherical harmonics, as far as a lobe and
 // light from everywhere can have them. Light narrower than a lobe becomes a lobe.
-void SetSky(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps)
+void SetSky(vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectLamp>& lamps)
 {
   glm::dvec3 scalar(0.0);
   glm::dmat3 vector(0.0); // a column a colour
@@ -92,26 +93,26 @@ void SetSky(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps)
   const glm::dvec3 direction =
     length > 1e-6 * GetMean(scalar) ? sum / length : glm::dvec3(0.0, 0.0, 1.0);
   const glm::dvec3 facing = glm::max(direction * vector, glm::dvec3(0.0));
-  rig.Lobes.push_back({ { direction, facing }, Exponent });
+  presetLights.Lobes.push_back({ { direction, facing }, Exponent });
   // A lobe's scalar irradiance is (p + 2) / (p + 1) times that of a surface facing it; light from
   // everywhere has 4 times its radiance.
-  rig.Ambient =
+  presetLights.Ambient =
     glm::max((scalar - facing * ((Exponent + 2.0) / (Exponent + 1.0))) / 4.0, glm::dvec3(0.0));
 }
 
 // Makes each lamp a lobe in its direction. A lamp from the viewer stays sharp, because its shadows
 // are not visible.
-void SetLobes(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps)
+void SetLobes(vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectLamp>& lamps)
 {
   for (const vtkIndirectLamp& lamp : lamps)
   {
     if (IsHeadlight(lamp))
     {
-      rig.Fills.push_back(lamp);
+      presetLights.Fills.push_back(lamp);
     }
     else
     {
-      rig.Lobes.push_back({ lamp, Exponent });
+      presetLights.Lobes.push_back({ lamp, Exponent });
     }
   }
 }
@@ -128,15 +129,15 @@ vtkIndirectLamp TakeKey(std::vector<vtkIndirectLamp>& lamps)
   return found;
 }
 
-void Scale(vtkIndirectLightRig& rig, double factor)
+void Scale(vtkIndirectPresetLights& presetLights, double factor)
 {
-  rig.Ambient *= factor;
-  rig.Key.Color *= factor;
-  for (vtkIndirectLightRig::Lobe& lobe : rig.Lobes)
+  presetLights.Ambient *= factor;
+  presetLights.Key.Color *= factor;
+  for (vtkIndirectPresetLights::Lobe& lobe : presetLights.Lobes)
   {
     lobe.Lamp.Color *= factor;
   }
-  for (vtkIndirectLamp& fill : rig.Fills)
+  for (vtkIndirectLamp& fill : presetLights.Fills)
   {
     fill.Color *= factor;
   }
@@ -172,32 +173,35 @@ Exchange FindExchange(
 }
 
 // Adds a share of the lamps unchanged. Lamps in the same direction become one light.
-void Keep(vtkIndirectLightRig& rig, const std::vector<vtkIndirectLamp>& lamps, double share)
+void Keep(
+  vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectLamp>& lamps, double share)
 {
   for (const vtkIndirectLamp& lamp : lamps)
   {
     const vtkIndirectLamp kept = { lamp.Direction, share * lamp.Color };
-    const auto same = std::find_if(rig.Fills.begin(), rig.Fills.end(),
+    const auto same = std::find_if(presetLights.Fills.begin(), presetLights.Fills.end(),
       [&kept](const vtkIndirectLamp& fill) { return fill.Direction == kept.Direction; });
-    if (same != rig.Fills.end())
+    if (same != presetLights.Fills.end())
     {
       same->Color += kept.Color;
     }
-    else if (rig.Key.Color != glm::dvec3(0.0) && rig.Key.Direction == kept.Direction)
+    else if (presetLights.Key.Color != glm::dvec3(0.0) &&
+      presetLights.Key.Direction == kept.Direction)
     {
-      rig.KeyShadow = GetMean(rig.Key.Color) / GetMean(rig.Key.Color + kept.Color);
-      rig.Key.Color += kept.Color;
+      presetLights.KeyShadow =
+        GetMean(presetLights.Key.Color) / GetMean(presetLights.Key.Color + kept.Color);
+      presetLights.Key.Color += kept.Color;
     }
     else
     {
-      rig.Fills.push_back(kept);
+      presetLights.Fills.push_back(kept);
     }
   }
 }
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 vtkIndirectLightRig::FromAngles(double elevation, double azimuth)
+glm::dvec3 vtkIndirectPresetLights::FromAngles(double elevation, double azimuth)
 {
   const double e = vtkMath::RadiansFromDegrees(elevation);
   const double a = vtkMath::RadiansFromDegrees(azimuth);
@@ -205,7 +209,7 @@ glm::dvec3 vtkIndirectLightRig::FromAngles(double elevation, double azimuth)
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 vtkIndirectLightRig::GetRadiance(const glm::dvec3& direction) const
+glm::dvec3 vtkIndirectPresetLights::GetRadiance(const glm::dvec3& direction) const
 {
   glm::dvec3 radiance = this->Ambient;
   for (const Lobe& lobe : this->Lobes)
@@ -221,7 +225,7 @@ glm::dvec3 vtkIndirectLightRig::GetRadiance(const glm::dvec3& direction) const
 }
 
 //------------------------------------------------------------------------------
-double vtkIndirectLightRig::GetIrradianceOfBall(const vtkIndirectLamp& lamp)
+double vtkIndirectPresetLights::GetIrradianceOfBall(const vtkIndirectLamp& lamp)
 {
   const double cosine = vtkMath::ClampValue(lamp.Direction.z, -1.0, 1.0);
   const double angle = std::acos(cosine);
@@ -230,7 +234,7 @@ double vtkIndirectLightRig::GetIrradianceOfBall(const vtkIndirectLamp& lamp)
 }
 
 //------------------------------------------------------------------------------
-double vtkIndirectLightRig::GetIrradianceOfBall() const
+double vtkIndirectPresetLights::GetIrradianceOfBall() const
 {
   double sum = this->Key.Color != glm::dvec3(0.0) ? GetIrradianceOfBall(this->Key) : 0.0;
   for (const vtkIndirectLamp& fill : this->Fills)
@@ -257,7 +261,7 @@ double vtkIndirectLightRig::GetIrradianceOfBall() const
 }
 
 //------------------------------------------------------------------------------
-double vtkIndirectLightRig::FindMostIrradiance(const std::vector<vtkIndirectLamp>& lamps)
+double vtkIndirectPresetLights::FindMostIrradiance(const std::vector<vtkIndirectLamp>& lamps)
 {
   // A surface with the greatest irradiance faces the sum of the lamps that it sees, weighted by
   // their light. Turning from a lamp's direction to that sum never reduces the irradiance, and few
@@ -283,7 +287,7 @@ double vtkIndirectLightRig::FindMostIrradiance(const std::vector<vtkIndirectLamp
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectLightRig vtkIndirectLightRig::Make(
+vtkIndirectPresetLights vtkIndirectPresetLights::Make(
   int preset, std::vector<vtkIndirectLamp> lamps, const vtkIndirectRigAlbedo& albedo)
 {
   if (lamps.empty())
@@ -296,10 +300,10 @@ vtkIndirectLightRig vtkIndirectLightRig::Make(
   const Balance balance = !sky ? OfKit : headlight ? OfSkyAtViewer : OfSkyFromKit;
   const Exchange rest = FindExchange(
     balance, (gentle ? 0.5 : 1.0) * (1.0 - balance.Kept), albedo, FindMostIrradiance(lamps));
-  vtkIndirectLightRig rig;
+  vtkIndirectPresetLights presetLights;
   if (sky)
   {
-    SetSky(rig, lamps);
+    SetSky(presetLights, lamps);
   }
   else
   {
@@ -311,18 +315,18 @@ vtkIndirectLightRig vtkIndirectLightRig::Make(
     std::vector<vtkIndirectLamp> kit = headlight ? MakeKit(color) : lamps;
     if (preset == vtkIndirectLightingFull)
     {
-      rig.Key = TakeKey(kit);
+      presetLights.Key = TakeKey(kit);
     }
-    SetLobes(rig, kit);
+    SetLobes(presetLights, kit);
   }
   double plain = 0.0;
   for (const vtkIndirectLamp& lamp : lamps)
   {
     plain += GetIrradianceOfBall(lamp);
   }
-  rig.Ambient = glm::max(rig.Ambient, glm::dvec3(Everywhere * plain));
-  const double own = rig.GetIrradianceOfBall();
-  Scale(rig, own > 0.0 ? rest.Strength * plain / own : 0.0);
-  Keep(rig, lamps, 1.0 - rest.Share);
-  return rig;
+  presetLights.Ambient = glm::max(presetLights.Ambient, glm::dvec3(Everywhere * plain));
+  const double own = presetLights.GetIrradianceOfBall();
+  Scale(presetLights, own > 0.0 ? rest.Strength * plain / own : 0.0);
+  Keep(presetLights, lamps, 1.0 - rest.Share);
+  return presetLights;
 }

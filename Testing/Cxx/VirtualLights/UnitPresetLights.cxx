@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lights of presets: their skies' light, against closed forms.
 #include "Pipeline/vtkIndirectLighting.h"
-#include "VirtualLights/vtkIndirectLightRig.h"
+#include "VirtualLights/vtkIndirectPresetLights.h"
 #include "vtkActor.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkIndirectSettings.h"
@@ -26,7 +26,7 @@ namespace
 // Irradiance of a surface with this normal under the unoccluded sky: (1 / pi) times the integral of
 // radiance and cosine, by rings around the normal.
 glm::dvec3 FindIrradiance(
-  const vtkIndirectLightRig& rig, const glm::dvec3& normal, const int count = 256)
+  const vtkIndirectPresetLights& presetLights, const glm::dvec3& normal, const int count = 256)
 {
   const glm::dvec3 helper = std::abs(normal.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 x = glm::normalize(glm::cross(helper, normal));
@@ -39,7 +39,7 @@ glm::dvec3 FindIrradiance(
     for (int k = 0; k < count; ++k)
     {
       const double angle = 2.0 * vtkMath::Pi() * (k + 0.5) / count;
-      sum += rig.GetRadiance(
+      sum += presetLights.GetRadiance(
         s * (std::cos(angle) * x + std::sin(angle) * y) + std::sqrt(1.0 - s * s) * normal);
     }
   }
@@ -50,7 +50,7 @@ const char* const Quadrature = "quadrature by 65536 directions";
 
 // Mean irradiance of a ball seen by a distant camera along z: over its disk, all lights but the sky
 // by their cosines.
-double FindIrradianceOfBall(const vtkIndirectLightRig& rig, bool sky)
+double FindIrradianceOfBall(const vtkIndirectPresetLights& presetLights, bool sky)
 {
   constexpr int Rings = 12;
   constexpr int Sectors = 24;
@@ -62,9 +62,9 @@ double FindIrradianceOfBall(const vtkIndirectLightRig& rig, bool sky)
     {
       const double angle = 2.0 * vtkMath::Pi() * (k + 0.5) / Sectors;
       const glm::dvec3 n(s * std::cos(angle), s * std::sin(angle), std::sqrt(1.0 - s * s));
-      glm::dvec3 color = sky ? FindIrradiance(rig, n, 32) : glm::dvec3(0.0);
-      color += std::max(glm::dot(n, rig.Key.Direction), 0.0) * rig.Key.Color;
-      for (const vtkIndirectLamp& fill : rig.Fills)
+      glm::dvec3 color = sky ? FindIrradiance(presetLights, n, 32) : glm::dvec3(0.0);
+      color += std::max(glm::dot(n, presetLights.Key.Direction), 0.0) * presetLights.Key.Color;
+      for (const vtkIndirectLamp& fill : presetLights.Fills)
       {
         color += std::max(glm::dot(n, fill.Direction), 0.0) * fill.Color;
       }
@@ -78,7 +78,7 @@ double FindIrradianceOfBall(const vtkIndirectLightRig& rig, bool sky)
 std::vector<vtkIndirectLamp> MakeKit()
 {
   auto lamp = [](double elevation, double azimuth, const glm::dvec3& color) {
-    return vtkIndirectLamp{ vtkIndirectLightRig::FromAngles(elevation, azimuth), color };
+    return vtkIndirectLamp{ vtkIndirectPresetLights::FromAngles(elevation, azimuth), color };
   };
   return { { { 0, 0, 1 }, glm::dvec3(0.25) }, lamp(50, 10, { 0.75, 0.729, 0.677 }),
     lamp(-75, 0, { 0.227, 0.233, 0.25 }), lamp(0, 110, glm::dvec3(0.214)),
@@ -90,26 +90,26 @@ const std::pair<int, const char*> Presets[] = { { vtkIndirectLightingSoft, "soft
   { vtkIndirectLightingStudio, "studio" } };
 }
 
-VTK_INDIRECT_TEST(LightRigLobes)
+VTK_INDIRECT_TEST(PresetLightsLobes)
 {
   for (const double exponent : { 0.0, 1.0, 4.0, 16.0 })
   {
     const glm::dvec3 direction = glm::normalize(glm::dvec3(0.3, -0.8, 0.5));
-    vtkIndirectLightRig rig;
-    rig.Lobes.push_back({ { direction, { 0.5, 1.0, 2.0 } }, exponent });
-    const glm::dvec3 facing = FindIrradiance(rig, direction);
+    vtkIndirectPresetLights presetLights;
+    presetLights.Lobes.push_back({ { direction, { 0.5, 1.0, 2.0 } }, exponent });
+    const glm::dvec3 facing = FindIrradiance(presetLights, direction);
     const std::string name = "power " + std::to_string(static_cast<int>(exponent));
     CheckRelative(name + ", red", facing.x, 0.5, 1e-3, Quadrature);
     CheckRelative(name + ", green", facing.y, 1.0, 1e-3, Quadrature);
     CheckRelative(name + ", blue", facing.z, 2.0, 1e-3, Quadrature);
-    CheckEqual(name + ", from behind", rig.GetRadiance(-direction).y, 0.0);
+    CheckEqual(name + ", from behind", presetLights.GetRadiance(-direction).y, 0.0);
   }
   // A hemisphere of constant radiance, of which a vertical surface sees half.
-  vtkIndirectLightRig half;
+  vtkIndirectPresetLights half;
   half.Lobes.push_back({ { { 0, 0, 1 }, glm::dvec3(1.0) }, 0.0 });
   CheckRelative(
     "half a sky, from the side", FindIrradiance(half, { 1, 0, 0 }).x, 0.5, 5e-3, Quadrature);
-  vtkIndirectLightRig everywhere;
+  vtkIndirectPresetLights everywhere;
   everywhere.Ambient = glm::dvec3(0.7);
   CheckRelative(
     "everywhere the same", FindIrradiance(everywhere, { 0, 1, 0 }).x, 0.7, 1e-12, "rounding");
@@ -117,7 +117,7 @@ VTK_INDIRECT_TEST(LightRigLobes)
 
 // Goal of the presets: a ball is as bright as with the renderer's own lights, times a compensation
 // for self-shadowing.
-VTK_INDIRECT_TEST(LightRigBall)
+VTK_INDIRECT_TEST(PresetLightsBall)
 {
   const char* const why = "quadrature by 288 normals and 1024 directions";
   Random random(11);
@@ -136,28 +136,30 @@ VTK_INDIRECT_TEST(LightRigBall)
   };
   for (const auto& [name, lamps] : sets)
   {
-    vtkIndirectLightRig own;
+    vtkIndirectPresetLights own;
     own.Fills = lamps;
     const double plain = FindIrradianceOfBall(own, false);
     CheckRelative(std::string(name) + ", in closed form", own.GetIrradianceOfBall(), plain, 0.01,
       "quadrature by 288 normals");
     for (const auto& [preset, title] : Presets)
     {
-      const vtkIndirectLightRig rig = vtkIndirectLightRig::Make(preset, lamps);
+      const vtkIndirectPresetLights presetLights = vtkIndirectPresetLights::Make(preset, lamps);
       const bool gentle = preset == vtkIndirectLightingGentle;
       const bool atViewer = (gentle || preset == vtkIndirectLightingSoft) && lamps.size() == 1 &&
         lamps[0].Direction.z == 1.0;
       const double rest = (atViewer ? 0.6 : 0.4) * (gentle ? 0.5 : 1.0);
-      CheckRelative(std::string(name) + ", " + title, FindIrradianceOfBall(rig, true),
+      CheckRelative(std::string(name) + ", " + title, FindIrradianceOfBall(presetLights, true),
         (1.0 - rest + rest / (atViewer ? 0.86 : 0.83)) * plain, 0.01, why);
       double kept = 0.0;
-      for (const vtkIndirectLamp& fill : rig.Fills)
+      for (const vtkIndirectLamp& fill : presetLights.Fills)
       {
-        kept += vtkIndirectLightRig::GetIrradianceOfBall(fill);
+        kept += vtkIndirectPresetLights::GetIrradianceOfBall(fill);
       }
       // At least: in full and studio the viewer's light has no lobe.
       CheckAtLeast(std::string(name) + ", " + title + ", without shadows",
-        kept + (1.0 - rig.KeyShadow) * vtkIndirectLightRig::GetIrradianceOfBall(rig.Key),
+        kept +
+          (1.0 - presetLights.KeyShadow) *
+            vtkIndirectPresetLights::GetIrradianceOfBall(presetLights.Key),
         (1.0 - rest) * own.GetIrradianceOfBall() * (1.0 - 1e-12), "rounding");
       if (gentle || preset == vtkIndirectLightingSoft)
       {
@@ -170,10 +172,11 @@ VTK_INDIRECT_TEST(LightRigBall)
 
 // The sky of soft has the same total light, and the same vector sum, as the lights that it
 // replaces: both sums over all directions.
-VTK_INDIRECT_TEST(LightRigSoftSky)
+VTK_INDIRECT_TEST(PresetLightsSoftSky)
 {
   const std::vector<vtkIndirectLamp> kit = MakeKit();
-  const vtkIndirectLightRig rig = vtkIndirectLightRig::Make(vtkIndirectLightingSoft, kit);
+  const vtkIndirectPresetLights presetLights =
+    vtkIndirectPresetLights::Make(vtkIndirectLightingSoft, kit);
   double scalar = 0.0;
   glm::dvec3 vector(0.0);
   for (const vtkIndirectLamp& lamp : kit)
@@ -191,7 +194,7 @@ VTK_INDIRECT_TEST(LightRigSoftSky)
     const double angle = vtkMath::Pi() * (3.0 - std::sqrt(5.0)) * i;
     const double r = std::sqrt(1.0 - z * z);
     const glm::dvec3 direction(r * std::cos(angle), r * std::sin(angle), z);
-    const double radiance = rig.GetRadiance(direction).y * 4.0 / Count;
+    const double radiance = presetLights.GetRadiance(direction).y * 4.0 / Count;
     skyScalar += radiance;
     skyVector += radiance * direction;
   }
@@ -202,25 +205,26 @@ VTK_INDIRECT_TEST(LightRigSoftSky)
     "the lights' colours differ in direction");
 }
 
-VTK_INDIRECT_TEST(LightRigKit)
+VTK_INDIRECT_TEST(PresetLightsKit)
 {
   std::vector<vtkIndirectLamp> kit = { { { 0, 0, 1 }, { 0.2, 0.2, 0.2 } },
     { { 0, 1, 0 }, { 0.9, 0.6, 0.3 } }, { { 1, 0, 0 }, { 0.0, 0.1, 0.4 } } };
-  const vtkIndirectLightRig studio = vtkIndirectLightRig::Make(vtkIndirectLightingStudio, kit);
+  const vtkIndirectPresetLights studio =
+    vtkIndirectPresetLights::Make(vtkIndirectLightingStudio, kit);
   CheckEqual("lobes of studio", static_cast<double>(studio.Lobes.size()), 2.0);
   CheckEqual("all are kept", static_cast<double>(studio.Fills.size()), 3.0);
   Check("of what comes from the viewer all is, as no shadow of it is visible",
     studio.Fills[0].Direction == kit[0].Direction && studio.Fills[0].Color.x > 0.6 * 0.2);
   Check("studio has no key", studio.Key.Color == glm::dvec3(0.0));
-  const vtkIndirectLightRig full = vtkIndirectLightRig::Make(vtkIndirectLightingFull, kit);
+  const vtkIndirectPresetLights full = vtkIndirectPresetLights::Make(vtkIndirectLightingFull, kit);
   CheckEqual("lobes of full", static_cast<double>(full.Lobes.size()), 1.0);
   CheckEqual("fills of full", static_cast<double>(full.Fills.size()), 2.0);
   Check("the brightest is the key", full.Key.Direction == kit[1].Direction);
   CheckRelative("shadows leave of it what is kept of every light",
     (1.0 - full.KeyShadow) * full.Key.Color.x, 0.6 * 0.9, 1e-12, "rounding");
-  for (const vtkIndirectLightRig& rig : { studio, full })
+  for (const vtkIndirectPresetLights& presetLights : { studio, full })
   {
-    for (const auto& lobe : rig.Lobes)
+    for (const auto& lobe : presetLights.Lobes)
     {
       const auto same = std::find_if(kit.begin(), kit.end(),
         [&](const vtkIndirectLamp& lamp) { return lamp.Direction == lobe.Lamp.Direction; });
@@ -236,8 +240,8 @@ VTK_INDIRECT_TEST(LightRigKit)
   for (const auto& [preset, title] : Presets)
   {
     const std::string name = title;
-    const vtkIndirectLightRig own = vtkIndirectLightRig::Make(preset, {});
-    const vtkIndirectLightRig dim = vtkIndirectLightRig::Make(preset, { kit[0] });
+    const vtkIndirectPresetLights own = vtkIndirectPresetLights::Make(preset, {});
+    const vtkIndirectPresetLights dim = vtkIndirectPresetLights::Make(preset, { kit[0] });
     CheckEqual(name + ", lobes", static_cast<double>(dim.Lobes.size()),
       static_cast<double>(own.Lobes.size()));
     CheckRelative(name + ", ambient", dim.Ambient.x / own.Ambient.x, 0.2, 1e-12, "its strength");
@@ -250,14 +254,14 @@ VTK_INDIRECT_TEST(LightRigKit)
 
 // A white object's concave parts, which reflect all light that falls on them, stay within the
 // headroom between white and plain VTK's brightness, and convex parts are as bright as promised.
-VTK_INDIRECT_TEST(LightRigHeadroom)
+VTK_INDIRECT_TEST(PresetLightsHeadroom)
 {
   const std::vector<std::vector<vtkIndirectLamp>> lights = { {},
     { { { 0, 0, 1 }, glm::dvec3(0.25) },
-      { vtkIndirectLightRig::FromAngles(50, 10), glm::dvec3(0.75) },
-      { vtkIndirectLightRig::FromAngles(-75, 0), glm::dvec3(0.25) },
-      { vtkIndirectLightRig::FromAngles(0, 110), glm::dvec3(0.21) },
-      { vtkIndirectLightRig::FromAngles(0, -110), glm::dvec3(0.21) } } };
+      { vtkIndirectPresetLights::FromAngles(50, 10), glm::dvec3(0.75) },
+      { vtkIndirectPresetLights::FromAngles(-75, 0), glm::dvec3(0.25) },
+      { vtkIndirectPresetLights::FromAngles(0, 110), glm::dvec3(0.21) },
+      { vtkIndirectPresetLights::FromAngles(0, -110), glm::dvec3(0.21) } } };
   for (const auto& lamps : lights)
   {
     const std::vector<vtkIndirectLamp> own =
@@ -266,7 +270,7 @@ VTK_INDIRECT_TEST(LightRigHeadroom)
     double all = 0.0;
     for (const vtkIndirectLamp& lamp : own)
     {
-      plain += vtkIndirectLightRig::GetIrradianceOfBall(lamp);
+      plain += vtkIndirectPresetLights::GetIrradianceOfBall(lamp);
       all += lamp.Color.x;
     }
     // The brightest of many directions.
@@ -282,21 +286,21 @@ VTK_INDIRECT_TEST(LightRigHeadroom)
       }
       most = std::max(most, sum);
     }
-    CheckRelative("the most of all directions", vtkIndirectLightRig::FindMostIrradiance(own), most,
-      1e-3, "directions a degree apart, of a cosine");
+    CheckRelative("the most of all directions", vtkIndirectPresetLights::FindMostIrradiance(own),
+      most, 1e-3, "directions a degree apart, of a cosine");
     for (const auto& [preset, title] : Presets)
     {
       const bool sky = preset == vtkIndirectLightingSoft || preset == vtkIndirectLightingGentle;
       const double before =
-        vtkIndirectLightRig::Make(preset, lamps, { 0.0, 0.0 }).GetIrradianceOfBall() / plain;
+        vtkIndirectPresetLights::Make(preset, lamps, { 0.0, 0.0 }).GetIrradianceOfBall() / plain;
       for (double albedo : { 0.3, 0.6, 0.9, 1.0 })
       {
         const std::string name = std::string(title) + ", albedo " + std::to_string(albedo);
-        const vtkIndirectLightRig rig =
-          vtkIndirectLightRig::Make(preset, lamps, { albedo, albedo });
+        const vtkIndirectPresetLights presetLights =
+          vtkIndirectPresetLights::Make(preset, lamps, { albedo, albedo });
         // The kept share of every light, and for the key the share that its shadows leave.
-        double kept = rig.Key.Color.x * (1.0 - rig.KeyShadow);
-        for (const vtkIndirectLamp& fill : rig.Fills)
+        double kept = presetLights.Key.Color.x * (1.0 - presetLights.KeyShadow);
+        for (const vtkIndirectLamp& fill : presetLights.Fills)
         {
           kept += fill.Color.x;
         }
@@ -304,13 +308,13 @@ VTK_INDIRECT_TEST(LightRigHeadroom)
         if (!sky && !lamps.empty())
         {
           // The headlight's share equals that of each lobe.
-          const auto& lobe = rig.Lobes.at(0).Lamp;
+          const auto& lobe = presetLights.Lobes.at(0).Lamp;
           const auto same = std::find_if(own.begin(), own.end(),
             [&](const vtkIndirectLamp& lamp) { return lamp.Direction == lobe.Direction; });
           given = 0.25 * lobe.Color.x / same->Color.x;
         }
         kept = (kept - given) / all;
-        const double total = rig.GetIrradianceOfBall() / plain;
+        const double total = presetLights.GetIrradianceOfBall() / plain;
         const double strength = total - kept;
         const double gain = 1.0 / (1.0 - (sky ? 0.4 : 0.5) * albedo);
         if (albedo >= 0.9)
@@ -328,11 +332,11 @@ VTK_INDIRECT_TEST(LightRigHeadroom)
 
 // Dark parts of a sky would change its maps when it turns, and bright directions would be drawn
 // separately: the presets' skies have neither.
-VTK_INDIRECT_TEST(LightRigSkies)
+VTK_INDIRECT_TEST(PresetLightsSkies)
 {
   for (const auto& [preset, title] : Presets)
   {
-    const vtkIndirectLightRig rig = vtkIndirectLightRig::Make(preset, {});
+    const vtkIndirectPresetLights presetLights = vtkIndirectPresetLights::Make(preset, {});
     double least = 1e30;
     double most = 0.0;
     double sum = 0.0;
@@ -340,7 +344,7 @@ VTK_INDIRECT_TEST(LightRigSkies)
     Random random(5);
     for (int i = 0; i < Count; ++i)
     {
-      const double radiance = rig.GetRadiance(random.NextDirection()).x;
+      const double radiance = presetLights.GetRadiance(random.NextDirection()).x;
       least = std::min(least, radiance);
       most = std::max(most, radiance);
       sum += radiance;

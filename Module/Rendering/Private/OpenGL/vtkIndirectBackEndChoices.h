@@ -4,16 +4,16 @@
 // card: VTK_INDIRECT_PATHS="clear=gl,uniforms=plain".
 //
 // Choices that users make by a property (multiresolution's Renderer and Storage) are not included.
-#ifndef vtkIndirectPaths_h
-#define vtkIndirectPaths_h
+#ifndef vtkIndirectBackEndChoices_h
+#define vtkIndirectBackEndChoices_h
 
 #include <string>  // for names
 #include <utility> // for pairs
 #include <vector>  // for lists
 
-namespace vtkIndirectPaths
+namespace vtkIndirectBackEndChoices
 {
-enum Path
+enum Choice
 {
   Clear,    // clearing of the geometry buffer's colours
   Depth,    // transfer of depth to the frame's target framebuffer
@@ -21,10 +21,10 @@ enum Path
   Kernels,  // stage of full-screen kernels that write all of a target without tests
   Splats,   // summation of virtual lights' splats
   Uniforms, // form of fragment shaders' uniforms
-  NumberOfPaths
+  NumberOfChoices
 };
 
-// Values of each, in the order of their names in vtkIndirectPaths.cxx.
+// Values of each, in the order of their names in vtkIndirectBackEndChoices.cxx.
 enum ClearValue
 {
   ClearByDraw,
@@ -61,7 +61,7 @@ enum UniformsValue
  * passes made, or released, afterwards. An unknown name, or a choice that this OpenGL does not
  * support, is one error, and the whole variable is ignored.
  */
-int Get(Path path);
+int Get(Choice choice);
 
 /** All choices that this OpenGL supports: name and value in force. */
 std::vector<std::pair<std::string, std::string>> GetAll();

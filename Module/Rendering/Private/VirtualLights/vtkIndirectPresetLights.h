@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lights of a preset, in the axes of the camera: x to the right, y up, z to the viewer. A rig
+// The lights of a preset, in the axes of the camera: x to the right, y up, z to the viewer. They
 // holds no VTK objects.
 //
 // Light without a place and without hard shadows is radiance of a sky: uniform radiance from
@@ -17,8 +17,8 @@
 // that. So where strength s replaces a share r, 1 - r + s G must not exceed the ratio of white to
 // plain VTK's brightest surface: 1 / (a P), where P is the greatest irradiance that the renderer's
 // lights give any surface.
-#ifndef vtkIndirectLightRig_h
-#define vtkIndirectLightRig_h
+#ifndef vtkIndirectPresetLights_h
+#define vtkIndirectPresetLights_h
 
 #include <glm/glm.hpp> // for directions and colours
 #include <vector>      // for lists
@@ -31,7 +31,8 @@ struct vtkIndirectLamp
 };
 
 /**
- * The albedo of the surfaces that a rig lights, as far as their colours are known; zero: unknown.
+ * The albedo of the surfaces that the lights shine on, as far as their colours are known; zero:
+ * unknown.
  */
 struct vtkIndirectRigAlbedo
 {
@@ -39,7 +40,7 @@ struct vtkIndirectRigAlbedo
   double Mean = 0.0;      // of red, green and blue, of the lightest surface: for bounces
 };
 
-struct vtkIndirectLightRig
+struct vtkIndirectPresetLights
 {
   struct Lobe
   {
@@ -67,10 +68,10 @@ struct vtkIndirectLightRig
   static double GetIrradianceOfBall(const vtkIndirectLamp& lamp);
 
   /**
-   * Makes the rig of a preset (vtkIndirectLightingType). lamps: the renderer's own lights that
+   * Makes the lights of a preset (vtkIndirectLightingType). lamps: the renderer's own lights that
    * follow its camera; an empty list means a headlight of strength 1, as VTK makes it.
    */
-  static vtkIndirectLightRig Make(int preset, std::vector<vtkIndirectLamp> lamps,
+  static vtkIndirectPresetLights Make(int preset, std::vector<vtkIndirectLamp> lamps,
     const vtkIndirectRigAlbedo& albedo = vtkIndirectRigAlbedo());
   /** Returns the greatest irradiance that lamps give a surface of any direction. */
   static double FindMostIrradiance(const std::vector<vtkIndirectLamp>& lamps);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/vtkIndirectGL.h"
 
-#include "OpenGL/vtkIndirectPaths.h"
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 
 #include "OpenGL/vtkIndirectComputeProgram.h"
 #include "vtkObject.h" // for the error macro
@@ -13,7 +13,7 @@
 
 namespace
 {
-using namespace vtkIndirectPaths;
+using namespace vtkIndirectBackEndChoices;
 constexpr const char* Variable = "VTK_INDIRECT_PATHS";
 
 struct Entry
@@ -27,8 +27,8 @@ struct Entry
   std::array<bool, 2> NeedsCompute;
 };
 
-// In the order of Path.
-const std::array<Entry, NumberOfPaths> Entries{ {
+// In the order of Choice.
+const std::array<Entry, NumberOfChoices> Entries{ {
   // Software clears float textures pixel by pixel, which takes longer than drawing over them. Not
   // measured on a GPU, where clears are fast, but an opaque frame clears only undrawn pixels.
   { "clear", { "draw", "gl" }, "the geometry buffer is emptied by a drawn quad or by glClear",
@@ -66,55 +66,55 @@ bool RunsOnProcessor()
   return name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
 }
 
-bool CanDo(int path, int value)
+bool CanDo(int choice, int value)
 {
-  return !Entries[path].NeedsCompute[value] || vtkIndirectComputeProgram::IsSupported();
+  return !Entries[choice].NeedsCompute[value] || vtkIndirectComputeProgram::IsSupported();
 }
 
-int GetDefault(int path)
+int GetDefault(int choice)
 {
-  const int value = RunsOnProcessor() ? Entries[path].OnProcessor : Entries[path].OnGPU;
-  return CanDo(path, value) || !CanDo(path, 1 - value) ? value : 1 - value;
+  const int value = RunsOnProcessor() ? Entries[choice].OnProcessor : Entries[choice].OnGPU;
+  return CanDo(choice, value) || !CanDo(choice, 1 - value) ? value : 1 - value;
 }
 
 // Choices in the environment variable.
-struct Choice
+struct Forced
 {
   std::string Text;
-  std::array<int, NumberOfPaths> Values; // -1: no choice
-  std::string Unknown;                   // an unknown item
+  std::array<int, NumberOfChoices> Values; // -1: no choice
+  std::string Unknown;                     // an unknown item
   bool Reported = false;
 
-  Choice() { this->Values.fill(-1); }
+  Forced() { this->Values.fill(-1); }
 };
 
-Choice Parse(const std::string& text)
+Forced Parse(const std::string& text)
 {
-  Choice choice;
-  choice.Text = text;
+  Forced forced;
+  forced.Text = text;
   std::istringstream items(text);
   for (std::string item; std::getline(items, item, ',');)
   {
     item.erase(0, item.find_first_not_of(' '));
     item.erase(item.find_last_not_of(' ') + 1);
     bool found = item.empty();
-    for (int path = 0; path < NumberOfPaths; ++path)
+    for (int choice = 0; choice < NumberOfChoices; ++choice)
     {
       for (int value = 0; value < 2; ++value)
       {
-        if (item == std::string(Entries[path].Name) + "=" + Entries[path].Values[value])
+        if (item == std::string(Entries[choice].Name) + "=" + Entries[choice].Values[value])
         {
-          choice.Values[path] = value;
+          forced.Values[choice] = value;
           found = true;
         }
       }
     }
-    if (!found && choice.Unknown.empty())
+    if (!found && forced.Unknown.empty())
     {
-      choice.Unknown = item;
+      forced.Unknown = item;
     }
   }
-  return choice;
+  return forced;
 }
 
 void Report(const std::string& item, const std::string& why)
@@ -131,40 +131,40 @@ void Report(const std::string& item, const std::string& why)
 }
 
 //------------------------------------------------------------------------------
-int vtkIndirectPaths::Get(Path path)
+int vtkIndirectBackEndChoices::Get(Choice choice)
 {
-  static Choice choice;
+  static Forced forced;
   const char* text = std::getenv(Variable);
-  if (choice.Text != (text ? text : ""))
+  if (forced.Text != (text ? text : ""))
   {
-    choice = Parse(text ? text : "");
+    forced = Parse(text ? text : "");
   }
-  std::string wrong = choice.Unknown;
+  std::string wrong = forced.Unknown;
   std::string why = "is not known";
-  for (int i = 0; i < NumberOfPaths && wrong.empty(); ++i)
+  for (int i = 0; i < NumberOfChoices && wrong.empty(); ++i)
   {
-    const int value = choice.Values[i];
+    const int value = forced.Values[i];
     if (value >= 0 && !CanDo(i, value))
     {
       wrong = std::string(Entries[i].Name) + "=" + Entries[i].Values[value];
       why = "needs OpenGL 4.3, and this context is older";
     }
   }
-  if (!wrong.empty() && !choice.Reported)
+  if (!wrong.empty() && !forced.Reported)
   {
     Report(wrong, why);
-    choice.Reported = true;
+    forced.Reported = true;
   }
-  return wrong.empty() && choice.Values[path] >= 0 ? choice.Values[path] : GetDefault(path);
+  return wrong.empty() && forced.Values[choice] >= 0 ? forced.Values[choice] : GetDefault(choice);
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::pair<std::string, std::string>> vtkIndirectPaths::GetAll()
+std::vector<std::pair<std::string, std::string>> vtkIndirectBackEndChoices::GetAll()
 {
   std::vector<std::pair<std::string, std::string>> all;
-  for (int i = 0; i < NumberOfPaths; ++i)
+  for (int i = 0; i < NumberOfChoices; ++i)
   {
-    const int value = Get(static_cast<Path>(i));
+    const int value = Get(static_cast<Choice>(i));
     if (CanDo(i, value))
     {
       all.emplace_back(Entries[i].Name, Entries[i].Values[value]);
@@ -174,7 +174,7 @@ std::vector<std::pair<std::string, std::string>> vtkIndirectPaths::GetAll()
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::pair<std::string, std::vector<std::string>>> vtkIndirectPaths::List()
+std::vector<std::pair<std::string, std::vector<std::string>>> vtkIndirectBackEndChoices::List()
 {
   std::vector<std::pair<std::string, std::vector<std::string>>> list;
   for (const Entry& entry : Entries)

@@ -49,11 +49,11 @@ enum class Lighting
   Three,
   Headlight // has no map
 };
-struct PathsView : View
+struct ChoicesView : View
 {
   vtkNew<vtkIndirectIlluminationPass> Pass;
 
-  PathsView(vtkIndirectEstimatorPass* estimator, bool specular, Lighting lighting)
+  ChoicesView(vtkIndirectEstimatorPass* estimator, bool specular, Lighting lighting)
     : View(120, 90)
   {
     AddRoomSurfaces(this->Renderer);
@@ -73,7 +73,7 @@ struct PathsView : View
     this->Pass->SetEstimator(estimator);
     this->Renderer->SetPass(this->Pass);
   }
-  ~PathsView() { this->Pass->SetEstimator(nullptr); }
+  ~ChoicesView() { this->Pass->SetEstimator(nullptr); }
 };
 
 struct Frame
@@ -87,7 +87,7 @@ Frame Render(vtkIndirectEstimatorPass* estimator, bool specular, Report* report 
   const std::function<void(vtkRenderWindow*)>& look = {}, Lighting lighting = Lighting::Three,
   vtkVirtualLightSampler* sampler = nullptr)
 {
-  PathsView view(estimator, specular, lighting);
+  ChoicesView view(estimator, specular, lighting);
   view.Pass->SetSampler(sampler);
   // The second frame may keep results of the first.
   view.Grab();
@@ -155,7 +155,7 @@ void CheckSame(const Frame& frame, const Frame& usual, const std::string& where)
 }
 
 // Names and values, from the error that lists them.
-std::map<std::string, std::vector<std::string>> FindPaths()
+std::map<std::string, std::vector<std::string>> FindChoices()
 {
   ExpectedErrors errors;
   Force("nothing=so");
@@ -232,9 +232,9 @@ int CountComputePrograms(int invocations)
 
 //------------------------------------------------------------------------------
 // Each value of each name makes the default's frame.
-VTK_INDIRECT_TEST(PathsSame)
+VTK_INDIRECT_TEST(ChoicesSame)
 {
-  const auto paths = FindPaths();
+  const auto paths = FindChoices();
   CONTRACT_CHECK(paths.size() >= 4, paths.size());
   for (const bool specular : { false, true })
   {
@@ -266,7 +266,7 @@ VTK_INDIRECT_TEST(PathsSame)
 
 //------------------------------------------------------------------------------
 // A forced choice is the one that runs.
-VTK_INDIRECT_TEST(PathsTake)
+VTK_INDIRECT_TEST(ChoicesTake)
 {
   struct Row
   {
@@ -320,7 +320,7 @@ VTK_INDIRECT_TEST(PathsTake)
 //------------------------------------------------------------------------------
 // Kernels give equal results as compute shaders: with one image or eight, of floats or halves, or
 // adding to their content, in every mode of the estimators.
-VTK_INDIRECT_TEST(PathsKernels)
+VTK_INDIRECT_TEST(ChoicesKernels)
 {
   struct Case
   {
@@ -463,7 +463,7 @@ VTK_INDIRECT_TEST(PathsKernels)
 
 //------------------------------------------------------------------------------
 // An unknown name is one error, which lists the known ones, and the frame is drawn as without it.
-VTK_INDIRECT_TEST(PathsErrors)
+VTK_INDIRECT_TEST(ChoicesErrors)
 {
   vtkNew<vtkRSMGatherPass> gather;
   Report usual{ std::string() };
@@ -498,7 +498,7 @@ VTK_INDIRECT_TEST(PathsErrors)
 }
 
 // As OpenGL 3.2: set in the environment.
-VTK_INDIRECT_TEST(PathsOpenGL32)
+VTK_INDIRECT_TEST(ChoicesOpenGL32)
 {
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   Report report{ std::string() };

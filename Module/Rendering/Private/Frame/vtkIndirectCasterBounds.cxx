@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Frame/vtkIndirectRoom.h"
+#include "Frame/vtkIndirectCasterBounds.h"
 
 #include "Frame/vtkIndirectFrame.h"
 #include "vtkBoundingBox.h"
@@ -8,7 +8,7 @@
 
 namespace
 {
-constexpr double ShareOfRoom = 1.0 / 8.0;
+constexpr double ShareOfMotion = 1.0 / 8.0;
 constexpr double LeastFilled = 0.5;
 
 bool Contains(const std::array<double, 6>& box, const double bounds[6])
@@ -19,7 +19,7 @@ bool Contains(const std::array<double, 6>& box, const double bounds[6])
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectRoom::Give(std::vector<vtkIndirectCaster>& casters, bool mayRest)
+void vtkIndirectCasterBounds::Give(std::vector<vtkIndirectCaster>& casters, bool mayRest)
 {
   std::vector<Box> now(casters.size());
   for (size_t i = 0; i < casters.size(); ++i)
@@ -45,7 +45,7 @@ void vtkIndirectRoom::Give(std::vector<vtkIndirectCaster>& casters, bool mayRest
   vtkBoundingBox all = exact;
   all.AddBox(before);
   all.GetBounds(scene);
-  const double room = ShareOfRoom * vtkIndirectFrame::FindDiagonal(exact);
+  const double margin = ShareOfMotion * vtkIndirectFrame::FindDiagonal(exact);
   std::unordered_map<vtkProp*, Box> boxes;
   vtkBoundingBox wide;
   for (const vtkIndirectCaster& caster : casters)
@@ -61,13 +61,13 @@ void vtkIndirectRoom::Give(std::vector<vtkIndirectCaster>& casters, bool mayRest
     {
       for (int axis = 0; axis < 3; ++axis)
       {
-        // A caster that moves the scene's border outwards gets room beyond the border.
+        // A caster that moves the scene's border outwards gets space beyond the border.
         double& lower = box[static_cast<size_t>(2 * axis)];
         double& upper = box[static_cast<size_t>(2 * axis + 1)];
         const bool leavesBelow = before.IsValid() && lower < before.GetBound(2 * axis);
         const bool leavesAbove = before.IsValid() && upper > before.GetBound(2 * axis + 1);
-        lower = leavesBelow ? lower - room : std::max(lower - room, scene[2 * axis]);
-        upper = leavesAbove ? upper + room : std::min(upper + room, scene[2 * axis + 1]);
+        lower = leavesBelow ? lower - margin : std::max(lower - margin, scene[2 * axis]);
+        upper = leavesAbove ? upper + margin : std::min(upper + margin, scene[2 * axis + 1]);
       }
     }
     boxes[caster.Prop] = box;
@@ -83,7 +83,7 @@ void vtkIndirectRoom::Give(std::vector<vtkIndirectCaster>& casters, bool mayRest
     {
       std::copy(caster.Bounds, caster.Bounds + 6, box.begin());
     }
-    std::copy(box.begin(), box.end(), caster.Room);
-    caster.HasRoom = true;
+    std::copy(box.begin(), box.end(), caster.WideBounds);
+    caster.HasWideBounds = true;
   }
 }
