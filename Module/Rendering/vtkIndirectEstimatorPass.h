@@ -57,8 +57,8 @@ public:
 
   ///@{
   /**
-   * Let voxels of the scene, and its spheres, hide senders from receivers if
-   * vtkIndirectIlluminationPass::Visibility is automatic. Default off, on for radiance hints.
+   * Alias for scripts: if vtkIndirectIlluminationPass::Visibility is AUTO, AUTO means VOXELS with
+   * this estimator. Default off, on for radiance hints. The report says whether voxels were used.
    */
   vtkIndirectFlagMacro(Occupancy);
   ///@}

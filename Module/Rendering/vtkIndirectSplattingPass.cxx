@@ -96,6 +96,7 @@ vtkIndirectAbilities SplatSum::GetAbilities(double tolerance) const
   abilities.ComputesGlossy = true;
   abilities.SumsLobes = true;
   abilities.TakesLightMaps = true;
+  abilities.AutomaticVisibility = vtkIndirectVisibilityMaps;
   return abilities;
 }
 

@@ -127,7 +127,9 @@ vtkIndirectAbilities GatherSum::GetAbilities(double tolerance) const
   abilities.ComputesGlossy = true;
   abilities.SumsLobes = mode != vtkRSMGatherPass::NEIGHBORHOOD;
   abilities.TakesSampler = mode == vtkRSMGatherPass::VIRTUAL_LIGHTS;
-  abilities.TakesLightMaps = mode == vtkRSMGatherPass::VIRTUAL_LIGHTS;
+  abilities.TakesLightMaps = abilities.TakesSampler;
+  abilities.AutomaticVisibility =
+    abilities.TakesLightMaps ? vtkIndirectVisibilityMaps : vtkIndirectVisibilityNone;
   abilities.ReadsMaps = mode == vtkRSMGatherPass::NEIGHBORHOOD;
   return abilities;
 }
@@ -206,7 +208,7 @@ bool GatherSum::Sum(const Input& input)
     this->Set.GetNumberOfSamples() * input.Maps.GetNumberOfLayers() > segments)
   {
     vtkErrorWithObjectMacro(&this->Pass,
-      "Mode NEIGHBORHOOD with Occupancy takes at most "
+      "Mode NEIGHBORHOOD with voxels takes at most "
         << segments << " samples over all maps; lower NumberOfSamples.");
     return false;
   }

@@ -20,10 +20,9 @@
  * each of their pixels with and without interpolation; see SpecularTransport.
  *
  * Approximations: depth maps or voxels hide virtual lights (Visibility of the pass), with the error
- * of their resolution. Only voxels hide texels (Occupancy, or Visibility VOXELS), otherwise nothing
- * does (bias >= 0), and texels give one bounce (<= 0). Senders of later bounces are diffuse (<= 0).
- * The kernel is low where r^2 < A, by about -0.6 / sqrt(N) for walls that meet, except for lights
- * of a tree.
+ * of their resolution. Only voxels hide texels, otherwise nothing does (bias >= 0), and texels
+ * give one bounce (<= 0). Senders of later bounces are diffuse (<= 0). The kernel is low where
+ * r^2 < A, by about -0.6 / sqrt(N) for walls that meet, except for lights of a tree.
  *
  * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel
  * and interpolated where three of the four around lie on the same surface; other pixels sum for

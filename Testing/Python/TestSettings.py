@@ -215,6 +215,29 @@ class ReportedSettings(unittest.TestCase):
         self.assertFalse(reported["Interpolation"])
         self.assertEqual(reported["Visibility"], "none")
 
+    def test_automatic_visibility_is_the_estimators(self):
+        neighborhood = {"Mode": "neighborhood"}
+        paper = {"Preset": "paper"}
+        for method, values, expected in (
+            ("multiresolution", {}, "maps"),
+            ("multiresolution", paper, "none"),
+            ("multiresolution", {**paper, "Occupancy": True}, "voxels"),
+            ("multiresolution", {"Occupancy": True, "Visibility": "none"}, "none"),
+            ("splatting", {}, "maps"),
+            ("gather", {}, "maps"),
+            ("gather", {"Occupancy": True}, "voxels"),
+            ("gather", neighborhood, "none"),
+            ("gather", {**neighborhood, "Visibility": "maps"}, "voxels"),
+            ("hints", {}, "voxels"),
+            ("hints", {"Occupancy": False}, "none"),
+            ("hints", paper, "none"),
+        ):
+            with self.subTest(method=method, values=values):
+                _, reported = self.render(method, **values)
+                self.assertEqual(reported["Visibility"], expected)
+                # Occupancy is the name of voxels for an estimator: one cannot contradict the other.
+                self.assertEqual(reported["Occupancy"], expected == "voxels")
+
     def test_estimators_own_visibility_is_in_force(self):
         _, reported = self.render("reference")
         self.assertEqual(reported["Visibility"], "none")

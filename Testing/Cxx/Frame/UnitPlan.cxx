@@ -239,7 +239,7 @@ VTK_INDIRECT_TEST(PlanAreaLights)
   CheckEqual("they are seen all the same", plan.VisibleAreaLights, 2);
 }
 
-// Maps if single lights are summed, voxels if the estimator requests them.
+// The estimator resolves automatic visibility, and the user's choice has priority.
 VTK_INDIRECT_TEST(PlanVisibility)
 {
   const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
@@ -247,13 +247,13 @@ VTK_INDIRECT_TEST(PlanVisibility)
   vtkIndirectAbilities estimator;
   auto visibility = [&]()
   { return vtkIndirectPlan::Make(frame, settings, estimator, {}).Visibility; };
-  CheckEqual("of an estimator without lights", visibility(), vtkIndirectVisibilityNone);
   estimator.TakesLightMaps = true;
-  CheckEqual("of one that sums lights", visibility(), vtkIndirectVisibilityMaps);
-  estimator.IgnoresVisibility = true;
-  CheckEqual("of a paper's that does not", visibility(), vtkIndirectVisibilityNone);
-  estimator.Occupancy = true;
-  CheckEqual("of one that asks for voxels", visibility(), vtkIndirectVisibilityVoxels);
+  CheckEqual("of an estimator that chooses none", visibility(), vtkIndirectVisibilityNone);
+  for (const int choice : { vtkIndirectVisibilityVoxels, vtkIndirectVisibilityMaps })
+  {
+    estimator.AutomaticVisibility = choice;
+    CheckEqual("of an estimator that chooses", visibility(), choice);
+  }
   settings.Visibility = vtkIndirectVisibilityNone;
   CheckEqual("where the user wants none", visibility(), vtkIndirectVisibilityNone);
   settings.Visibility = vtkIndirectVisibilityMaps;

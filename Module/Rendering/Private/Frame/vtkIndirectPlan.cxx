@@ -216,15 +216,10 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
 void vtkIndirectPlan::FindVisibility(
   const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
 {
-  this->Visibility = settings.Visibility;
-  if (settings.Visibility == vtkIndirectVisibilityAutomatic)
-  {
-    const bool maps = estimator.TakesLightMaps && !estimator.IgnoresVisibility;
-    this->Visibility = estimator.Occupancy ? vtkIndirectVisibilityVoxels
-      : maps                               ? vtkIndirectVisibilityMaps
-                                           : vtkIndirectVisibilityNone;
-  }
-  else if (settings.Visibility == vtkIndirectVisibilityMaps && !estimator.TakesLightMaps)
+  this->Visibility = settings.Visibility == vtkIndirectVisibilityAutomatic
+    ? estimator.AutomaticVisibility
+    : settings.Visibility;
+  if (this->Visibility == vtkIndirectVisibilityMaps && !estimator.TakesLightMaps)
   {
     this->Visibility = vtkIndirectVisibilityVoxels;
     this->EstimateLeftOut.emplace_back("maps of virtual lights",

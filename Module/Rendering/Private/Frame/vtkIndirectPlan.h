@@ -24,9 +24,8 @@ struct vtkIndirectAbilities
   bool SumsLobes = false;    // lobes of senders
   bool TakesSampler = false; // sums lights of the frame's sampler, not of its own sampler
   bool SpecularTransport = true;
-  bool Occupancy = false;         // wants voxels unless the user chooses otherwise
-  bool TakesLightMaps = false;    // can look visibility up in a map of each virtual light
-  bool IgnoresVisibility = false; // unless the user chooses otherwise
+  bool TakesLightMaps = false; // can look visibility up in a map of each virtual light
+  int AutomaticVisibility = vtkIndirectVisibilityNone; // where the user lets the estimator choose
   /** Sums the texels of lights' maps, if there are maps, and no virtual lights beside them. */
   bool ReadsMaps = false;
   /** Sums the sky, and the light that surfaces reflect of it, itself, and no lights. */

@@ -89,10 +89,11 @@ vtkIndirectEstimate vtkIndirectSum::MakeEstimate(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan*) const
+void vtkIndirectSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
   list.Add("SpecularTransport", this->Pass.GetSpecularTransport())
-    .Add("Occupancy", this->Pass.GetOccupancy())
+    .Add("Occupancy",
+      plan ? plan->Visibility == vtkIndirectVisibilityVoxels : this->Pass.GetOccupancy())
     .Add("OccupancyResolution", this->Pass.GetOccupancyResolution());
 }
 
@@ -103,7 +104,6 @@ vtkIndirectAbilities vtkIndirectSum::GetAbilities(double) const
   abilities.Name = this->Pass.GetClassName();
   abilities.TakesSampler = true;
   abilities.SpecularTransport = this->Pass.GetSpecularTransport();
-  abilities.Occupancy = this->Pass.GetOccupancy();
   return abilities;
 }
 

@@ -76,7 +76,9 @@ vtkIndirectAbilities vtkIndirectSubsplatSum::GetAbilities(double tolerance) cons
   abilities.ComputesGlossy = true;
   abilities.SumsLobes = true;
   abilities.TakesLightMaps = true;
-  abilities.IgnoresVisibility = this->Set.GetPreset() == vtkMultiresolutionSplattingPass::PAPER;
+  abilities.AutomaticVisibility = this->Set.GetPreset() == vtkMultiresolutionSplattingPass::PAPER
+    ? vtkIndirectVisibilityNone
+    : vtkIndirectVisibilityMaps;
   abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
   return abilities;
 }

@@ -89,8 +89,12 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     this->SphereMotion.Forget();
   }
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
-  const vtkIndirectAbilities abilities =
+  vtkIndirectAbilities abilities =
     vtkIndirectSum::Get(request.Estimator).GetAbilities(request.Settings.ErrorTolerance);
+  if (request.Estimator->GetOccupancy())
+  {
+    abilities.AutomaticVisibility = vtkIndirectVisibilityVoxels;
+  }
   circumstances.SamplerWalks =
     abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();

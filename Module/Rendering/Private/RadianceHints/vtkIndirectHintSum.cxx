@@ -146,12 +146,11 @@ vtkIndirectSampler::Pointer vtkIndirectHintSum::ChooseSampler(
 vtkIndirectVisibilityNeeds vtkIndirectHintSum::GetVisibilityNeeds(const vtkIndirectPlan& plan) const
 {
   const vtkIndirectHintDetails& details = *this->Set.Details;
-  vtkIndirectVisibilityNeeds needs;
-  needs.Senders = plan.Visibility == vtkIndirectVisibilityVoxels;
+  vtkIndirectVisibilityNeeds needs = this->vtkIndirectSum::GetVisibilityNeeds(plan);
+  needs.Segments = false; // the grid's own tables say which hints see each other
   needs.Volume = details.SkipEmptyCells || plan.NumberOfBounces > 1;
   needs.Surfaces =
     needs.Senders || (plan.NumberOfBounces > 1 && (!details.FromHints || details.AlbedoVolume));
-  needs.Resolution = this->Set.GetOccupancyResolution();
   return needs;
 }
 
