@@ -216,15 +216,15 @@ VTK_INDIRECT_TEST(ClustersKeepBrightAndDimApart)
   Clusters clusters;
   clusters.SetSenders(senders);
   const std::vector<Clusters::Light> lights =
-    clusters.MakeLights({ glm::dvec3(1.0) }, 200, 0.0).Lights;
+    clusters.MakeLights({ glm::dvec3(1.0) }, 400, 0.0).Lights;
   double mixed = 0.0;
   for (const Clusters::Light& light : lights)
   {
     const double density = light.DensityArea.x / light.Area;
     mixed += density > 0.09 && density < 0.79 ? light.Area : 0.0;
   }
-  // Clusters hold places of both sides on 0.108 of the area if only places divide them.
-  CheckAtMost("area of lights that are bright and dim", mixed, 0.02, "");
+  // Without radiosity clusters hold places of both sides on 0.079 of the area, with it on 0.016.
+  CheckAtMost("area of lights that are bright and dim", mixed, 0.03, "");
 }
 
 VTK_INDIRECT_TEST(ClustersStay)
