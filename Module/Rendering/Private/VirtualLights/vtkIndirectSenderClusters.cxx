@@ -30,10 +30,18 @@ constexpr double LeastNormal = 0.01;
 // The length, in scene units, that a factor e of radiosity counts as. A cluster that reached from a
 // bright place into a dim one, such as along a wall behind a baffle, would have its place in the
 // bright part; then receivers that see the dim part alone would see no light at all.
-constexpr double BrightnessLength = 0.03;
+constexpr double BrightnessLength = 0.05;
 
-// Largest distance of a logarithm of radiosity from that of the mean radiosity.
-constexpr double MostBrightness = 4.0;
+// Range of the logarithm of radiosity over the mean radiosity. A vertex of a walk whose area is too
+// small by chance looks very bright: as a cluster of its own it would be a bright spot in a crease,
+// so that whatever is brighter than the upper end counts as that end.
+constexpr double MostDimness = 4.0;
+constexpr double MostBrightness = 0.5;
+
+// Error of a node above leaves over that of a cluster. A leaf is often a single vertex of a walk,
+// whose area is uncertain: seen from nearby in a crease, such a leaf is a bright spot. The largest
+// term is that of clusters, which are divided from far off.
+constexpr double LimitOfLeaves = 7.0;
 
 // How much more a lobe counts the turn of normals than diffuse light does.
 constexpr double LobeTurn = 3.0;
@@ -334,7 +342,7 @@ void vtkIndirectSenderClusters::DivideAll(
       const auto turn = static_cast<float>(NormalLength * (1.0 + LobeTurn * lobe / sent));
       const double share = weight * area / (sum * static_cast<double>(s.Area));
       const double brightness =
-        share > 0.0 ? std::clamp(std::log(share), -MostBrightness, MostBrightness) : 0.0;
+        share > 0.0 ? std::clamp(std::log(share), -MostDimness, MostBrightness) : 0.0;
       this->Entries.push_back(
         { { s.Position.x, s.Position.y, s.Position.z, turn * s.Normal.x, turn * s.Normal.y,
             turn * s.Normal.z, static_cast<float>(BrightnessLength * brightness) },
@@ -516,7 +524,7 @@ void vtkIndirectSenderClusters::MakeBranches(
   for (size_t i = 0; i < children.size(); ++i)
   {
     Light child = this->MakeLight(children[i], strengths);
-    child.ChildDistance = FindChildDistance(child, children[i], limit);
+    child.ChildDistance = FindChildDistance(child, children[i], LimitOfLeaves * limit);
     MakePatch(child);
     const size_t family = first + i * (perNode + 1);
     all[family] = child;
