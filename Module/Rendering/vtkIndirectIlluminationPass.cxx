@@ -125,6 +125,7 @@ struct vtkIndirectIlluminationPass::Internals
   // Releases everything when the window's context ends or the pass moves to another window: VTK
   // notifies a pass only when it is in a renderer of that window.
   vtkNew<vtkIndirectContextGuard> Guard;
+  vtkIndirectSettingList FrameSettings; // in force in the last frame
 };
 
 //------------------------------------------------------------------------------
@@ -445,6 +446,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
     this->NumberOfRenderedProps += in.View.RenderRemaining(s);
   }
   in.Pipeline.Timer.EndFrame();
+  in.FrameSettings = this->CollectSettings();
   vtkOpenGLCheckErrorMacro("failed after indirect illumination");
 }
 
@@ -554,19 +556,28 @@ bool vtkIndirectIlluminationPass::CopyBuffer(const std::string& name, vtkImageDa
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectSettingList vtkIndirectIlluminationPass::CollectSettings()
+{
+  Internals& in = *this->Internal;
+  vtkIndirectSettingList settings;
+  // An estimator's setting hides the frame's setting of the same name.
+  const vtkIndirectPlan* const plan = in.Pipeline.HasBuffers() ? &in.Pipeline.GetPlan() : nullptr;
+  const vtkIndirectSum& sum = vtkIndirectSum::Get(this->GetFrameEstimator());
+  sum.AddSettings(settings, plan);
+  if (sum.GetAbilities(this->Settings.ErrorTolerance).TakesSampler)
+  {
+    vtkIndirectSampler::Get(this->GetActiveSampler())->AddSettings(settings, plan);
+  }
+  this->AddSettings(settings, plan);
+  return settings;
+}
+
+//------------------------------------------------------------------------------
 std::string vtkIndirectIlluminationPass::GetReport()
 {
   Internals& in = *this->Internal;
   vtkIndirectReport report;
-  // An estimator's setting hides the frame's setting of the same name.
-  const vtkIndirectPlan* const plan = in.Pipeline.HasBuffers() ? &in.Pipeline.GetPlan() : nullptr;
-  const vtkIndirectSum& sum = vtkIndirectSum::Get(this->GetFrameEstimator());
-  sum.AddSettings(report.Settings, plan);
-  if (sum.GetAbilities(this->Settings.ErrorTolerance).TakesSampler)
-  {
-    vtkIndirectSampler::Get(this->GetActiveSampler())->AddSettings(report.Settings, plan);
-  }
-  this->AddSettings(report.Settings, plan);
+  report.Settings = in.Pipeline.HasBuffers() ? in.FrameSettings : this->CollectSettings();
   in.Pipeline.AddToReport(report);
   report.LeftOut.insert(
     report.LeftOut.end(), in.Switches.GetLeftOut().begin(), in.Switches.GetLeftOut().end());
