@@ -449,6 +449,7 @@ private:
   void LetGo(vtkWindow* window);
   void ShowDebugView();
   // Adds the pass's settings; plan: that of the last frame for those in force, or null.
+  /** Returns the settings of the estimator, the sampler and the pass, as they are in force. */
   vtkIndirectSettingList CollectSettings();
   void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan);
   vtkIndirectEstimatorPass* GetFrameEstimator(); // estimator of the last frame, if the next frame

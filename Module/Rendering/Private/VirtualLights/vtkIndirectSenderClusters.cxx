@@ -39,8 +39,7 @@ constexpr double MostDimness = 4.0;
 constexpr double MostBrightness = 0.5;
 
 // Error of a node above leaves over that of a cluster. A leaf is often a single vertex of a walk,
-// whose area is uncertain: seen from nearby in a crease, such a leaf is a bright spot. The largest
-// term is that of clusters, which are divided from far off.
+// whose area is uncertain: seen from nearby in a crease, such a leaf is a bright spot.
 constexpr double LimitOfLeaves = 7.0;
 
 // How much more a lobe counts the turn of normals than diffuse light does.
@@ -324,17 +323,18 @@ void vtkIndirectSenderClusters::DivideAll(
   // All light over all area is the mean radiosity.
   double area = 0.0;
   double sum = 0.0;
+  auto findSent = [](const Sender& s)
+  { return Sum(glm::dvec3(s.Reflected)) + Sum(glm::dvec3(s.LobeReflected)); };
   for (const Sender& s : this->Senders)
   {
-    const double sent = Sum(glm::dvec3(s.Reflected)) + Sum(glm::dvec3(s.LobeReflected));
     area += static_cast<double>(s.Area);
-    sum += sent * weights[static_cast<size_t>(s.Map)];
+    sum += findSent(s) * weights[static_cast<size_t>(s.Map)];
   }
   for (size_t i = 0; i < this->Senders.size(); ++i)
   {
     const Sender& s = this->Senders[i];
     const double lobe = Sum(glm::dvec3(s.LobeReflected));
-    const double sent = Sum(glm::dvec3(s.Reflected)) + lobe;
+    const double sent = findSent(s);
     const double weight = sent * weights[static_cast<size_t>(s.Map)];
     if (weight > 0.0)
     {
