@@ -2,6 +2,8 @@
 """The plotter component: registered where PyVista can have it, and the same as the functions."""
 
 import importlib
+import os
+import subprocess
 import sys
 import types
 import unittest
@@ -72,6 +74,19 @@ class Component(support.DirectoryTest):
             for name in ("pyvista", "vtkindirect.plotter"):
                 sys.modules.pop(name, None)
             self.assertFalse(importlib.import_module("vtkindirect.plotter").register())
+
+    def test_an_old_pyvista_imported_later(self) -> None:
+        (self.directory / "pyvista.py").write_text(
+            "__version__ = '0.46.4'\n\n\nclass BasePlotter:\n    pass\n"
+        )
+        program = "import vtkindirect, pyvista; pyvista.BasePlotter().indirect"
+        environment = {
+            **os.environ, "PYTHONPATH": os.pathsep.join([str(self.directory), *sys.path])
+        }
+        done = subprocess.run(
+            [sys.executable, "-c", program], env=environment, capture_output=True, text=True
+        )
+        self.assertIn("call vtkindirect.enable(plotter)", done.stderr)
 
     def test_entry_point_names_the_module(self) -> None:
         text = (support.SOURCE / "Wrapping" / "Python" / "entry_points.txt").read_text()

@@ -18,6 +18,8 @@ together with helpers::
 from __future__ import annotations
 
 import importlib
+import importlib.abc
+import importlib.util
 import sys
 from typing import Any
 
@@ -75,5 +77,30 @@ def __getattr__(name: str) -> Any:
     raise AttributeError(f"module 'vtkindirect' has no attribute '{name}'")
 
 
-if "pyvista" in sys.modules:  # otherwise PyVista finds the component by its entry point
+class _RegisterAfterPyVista(importlib.abc.MetaPathFinder):
+    """Import `vtkindirect.plotter` at the end of the first import of PyVista.
+
+    PyVista 0.48 finds the component by its entry point as well; earlier ones look for none.
+    """
+
+    def find_spec(self, fullname: str, path: Any = None, target: Any = None) -> Any:
+        """Return PyVista's own spec, whose loader registers the component afterwards."""
+        if fullname != "pyvista":
+            return None
+        sys.meta_path.remove(self)
+        spec = importlib.util.find_spec(fullname)
+        if spec is not None and spec.loader is not None:
+            execute = spec.loader.exec_module
+
+            def exec_module(module: Any) -> None:
+                execute(module)
+                importlib.import_module("vtkindirect.plotter")
+
+            spec.loader.exec_module = exec_module
+        return spec
+
+
+if "pyvista" in sys.modules:
     importlib.import_module("vtkindirect.plotter")
+else:
+    sys.meta_path.insert(0, _RegisterAfterPyVista())
