@@ -393,3 +393,40 @@ VTK_INDIRECT_TEST(FlatUniforms)
                                    << " builds");
   }
 }
+
+//------------------------------------------------------------------------------
+// Forty spots have more uniforms than fit into varyings, and their maps have programs of their own,
+// built in the first frame: where all spots stand at one place, direct light is that of one spot of
+// their sum, and so is indirect light but for the choice of virtual lights.
+VTK_INDIRECT_TEST(ManySpots)
+{
+  auto render = [](int spots)
+  {
+    View view(120, 90);
+    AddRoomSurfaces(view.Renderer);
+    view.Renderer->AutomaticLightCreationOff();
+    for (int i = 0; i < spots; ++i)
+    {
+      auto spot = MakeLight(LightKind::Spot, { 0.5, 0.9, 0.8 }, { 0.5, 0.0, 0.4 });
+      spot->SetIntensity(0.5 / spots);
+      view.Renderer->AddLight(spot);
+    }
+    vtkNew<vtkIndirectIlluminationPass> pass;
+    pass->SetReflectiveShadowMapResolution(64);
+    pass->SetLightingToScene();
+    view.Renderer->SetPass(pass);
+    view.Grab();
+    const vtkIdType builds = CountShaderBuilds(pass);
+    view.Grab();
+    CONTRACT_CHECK(CountShaderBuilds(pass) == builds, "the second frame built shaders");
+    return std::make_pair(Read(pass, "direct"), Read(pass, "bounce"));
+  };
+  const auto one = render(1);
+  const auto many = render(40);
+  const Difference direct = Compare(one.first, many.first);
+  const double bounce = Mean(many.second, 0) / Mean(one.second, 0);
+  std::cout << "40 spots as one: direct " << direct << ", bounce " << bounce << "\n";
+  // Sums of forty floats, stored as half floats.
+  CONTRACT_CHECK(direct.Max < 2e-3, direct);
+  CONTRACT_CHECK(std::abs(bounce - 1.0) < 0.05, bounce);
+}

@@ -19,10 +19,11 @@ void ReplaceAll(std::string& text, const std::string& from, const std::string& t
   }
 }
 
-// Number of lights whose uniforms, and those of their shadows, are all passed as flat varyings: 35
+// Number of lights whose uniforms, and those of their shadows, are passed as flat varyings: 35
 // components each, and 50 of all else. With more lights, triangles cost more than pixels save.
+// OpenGL on the processor links no more than 128 components (GL_MAX_VARYING_COMPONENTS).
 constexpr int MostNamedLights = 3;
-constexpr int MostFlatComponents = 160;
+constexpr int MostFlatComponents = 128;
 
 bool Contains(const std::string& text, const char* what)
 {
@@ -216,6 +217,10 @@ void vtkIndirectCaptureText::Add(
   if (this->Soft)
   {
     declarations += "#define VTKI_SOFT\n";
+  }
+  if (this->MapsOnly)
+  {
+    ReplaceAll(declarations, "uniform int vtkiStage;", "const int vtkiStage = 1;");
   }
   LeaveEdgesOutOfMaps(geometryShader, fragmentShader);
   CountFromWithin(vertexShader, this->Soft);

@@ -15,6 +15,7 @@ struct vtkIndirectCaptureText
   bool SpecularOfPBR; // F0 and roughness are written in the same place
   bool FlatUniforms;  // uniforms come as flat varyings
   bool Soft;          // alpha tells where the mapper draws a surface
+  bool MapsOnly;      // the program draws maps, never the view: compilers drop the code of lights
 
   /**
    * Leaves a marker in front of VTK's light code: the mapper's declarations are known only after it

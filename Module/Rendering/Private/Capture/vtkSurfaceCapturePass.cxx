@@ -275,6 +275,17 @@ void vtkSurfaceCapturePass::SetSpecularOfPBR(bool specular)
 }
 
 //------------------------------------------------------------------------------
+void vtkSurfaceCapturePass::SetMapsOnly(bool only)
+{
+  if (only != this->MapsOnly)
+  {
+    this->MapsOnly = only;
+    this->SourceTime.Modified();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
 {
   this->Detach();
@@ -512,7 +523,8 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   ++this->NumberOfShaderBuilds;
   const Internals& in = *this->Internal;
   const vtkIndirectCaptureText text{ in.LightConstants, this->Shadows, this->Specular,
-    this->SpecularOfPBR, in.FlatUniforms, mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0 };
+    this->SpecularOfPBR, in.FlatUniforms, mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0,
+    this->MapsOnly };
   text.Add(vertexShader, geometryShader, fragmentShader);
   return true;
 }
@@ -522,11 +534,15 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop, vtkOpenGLVertexArrayObject*)
 {
   Internals& in = *this->Internal;
-  if (!program->IsUniformUsed("vtkiStage"))
+  // Programs of maps alone have no stage.
+  if (program->IsUniformUsed("vtkiStage"))
+  {
+    program->SetUniformi("vtkiStage", in.Stage == Internals::Map ? 1 : 0);
+  }
+  else if (!program->IsUniformUsed("vtkiMapLight"))
   {
     return true;
   }
-  program->SetUniformi("vtkiStage", in.Stage == Internals::Map ? 1 : 0);
   program->SetUniformi("vtkiAlbedoInAlpha",
     in.Stage == Internals::Eye && vtkIndirectGeometryChannels::IsAlbedoInLit(in.Channels) ? 1 : 0);
   const bool triangles = MapperPrimitive::IsTriangles(mapper, prop);

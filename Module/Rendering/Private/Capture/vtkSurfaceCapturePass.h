@@ -101,6 +101,12 @@ public:
   vtkBooleanMacro(ImageLight, bool);
   ///@}
 
+  /**
+   * Lets mappers draw with programs for maps alone, which compute no light of the view. A change
+   * rebuilds the shaders of what is drawn next. Default off.
+   */
+  void SetMapsOnly(bool only);
+
   vtkMTimeType GetShaderStageMTime() override { return this->SourceTime.GetMTime(); }
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
     std::string& fragmentShader, vtkAbstractMapper* mapper, vtkProp* prop) override;
@@ -160,6 +166,7 @@ protected:
   bool Specular = false;
   bool SpecularOfPBR = false;
   bool ImageLight = true;
+  bool MapsOnly = false;
   vtkTimeStamp SourceTime; // time of the last change to injected text
 
 private:

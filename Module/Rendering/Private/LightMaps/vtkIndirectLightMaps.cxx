@@ -25,6 +25,12 @@
 
 namespace
 {
+// Programs for maps alone pay from so many lights times faces on: a light costs 2 ms in a map of 512
+// by 512 texels (OpenGL on the processor), a program some 300 ms to compile, and its text 3 ms for
+// each caster, for there and back.
+constexpr size_t LightsOfOneBuild = 200;
+constexpr size_t LightsOfOneCaster = 2;
+
 const vtkIndirectChannel Channels[] = {
   { "rsm.albedo", "vtkiMapAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
   { "rsm.surface", "vtkiMapSurface", "linear depth, octahedral normal and kind", GL_RG32F,
@@ -184,6 +190,13 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   }
   this->Faces.resize(this->Target.GetLayers());
 
+  struct ChangedFace
+  {
+    vtkIndirectLightMap* Map;
+    int Face;
+    std::vector<const vtkIndirectCaster*> Casters;
+  };
+  std::vector<ChangedFace> changed;
   for (int i = 0; i < this->NumberOfMaps; ++i)
   {
     vtkIndirectLightMap& map = *this->Maps[i];
@@ -206,12 +219,20 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
         continue;
       }
       last = key;
-      this->DrawFace(frame, capture, map, face, casters);
-      this->Rows.Forget(map.FirstLayer + face);
-      ++this->NumberOfFacesDrawn;
-      this->ContentTime.Modified();
+      changed.push_back({ &map, face, std::move(casters) });
     }
   }
+  // The view's programs compute all lights at each texel of each map.
+  capture->SetMapsOnly(changed.size() * frame.Lights.size() >
+    LightsOfOneBuild + LightsOfOneCaster * frame.Casters.size());
+  for (const ChangedFace& face : changed)
+  {
+    this->DrawFace(frame, capture, *face.Map, face.Face, face.Casters);
+    this->Rows.Forget(face.Map->FirstLayer + face.Face);
+    ++this->NumberOfFacesDrawn;
+    this->ContentTime.Modified();
+  }
+  capture->SetMapsOnly(false);
   this->UpdateTable(frame);
   this->UpdateFresnel(frame);
   return true;

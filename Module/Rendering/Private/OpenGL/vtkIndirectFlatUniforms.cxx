@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/vtkIndirectFlatUniforms.h"
 
+#include <algorithm>
 #include <cctype>
 #include <set>
 #include <sstream>
@@ -25,6 +26,30 @@ int CountComponents(const std::string& type)
     }
   }
   return 0;
+}
+
+// Components that the vertex shader passes on already: each output may take whole rows of four.
+int CountOutputs(const std::string& vertexShader)
+{
+  std::istringstream lines(vertexShader);
+  std::string line;
+  int components = 0;
+  while (std::getline(lines, line))
+  {
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "flat" || word == "smooth" || word == "centroid")
+    {
+      words >> word;
+    }
+    std::string type;
+    if (word == "out" && words >> type)
+    {
+      components += (std::max(CountComponents(type), 1) + 3) / 4 * 4;
+    }
+  }
+  return components;
 }
 
 // True if a name occurs in a text behind `at`, as a whole word.
@@ -53,7 +78,7 @@ void vtkIndirectFlatUniforms::Move(
   std::string declarations;
   std::string assignments;
   std::set<std::string> moved;
-  int components = 0;
+  int components = CountOutputs(vertexShader);
   size_t at = 0;
   while (std::getline(lines, line))
   {

@@ -13,8 +13,9 @@ namespace vtkIndirectFlatUniforms
 /**
  * Makes varyings of uniforms that a fragment shader declares, one a line, as `uniform T name;` with
  * T int, float, or vectors or matrices of float or int; the vertex shader passes them on under the
- * same name. Arrays, samplers and uniforms beyond `maximum` components stay uniforms. There must be
- * no other stage between the two shaders.
+ * same name. Arrays and samplers stay uniforms, and so do uniforms beyond `maximum` components, which
+ * count what the vertex shader passes on already. There must be no other stage between the two
+ * shaders.
  */
 void Move(std::string& vertexShader, std::string& fragmentShader, int maximum);
 }

@@ -104,8 +104,8 @@ vtkShaderProgram* vtkIndirectSplats::Use(
     if (vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Uniforms) ==
       vtkIndirectBackEndChoices::UniformsFlat)
     {
-      // In addition to the light's own varyings.
-      vtkIndirectFlatUniforms::Move(shaders.VertexText, shaders.FragmentText, 44);
+      // A splat has few pixels for each triangle: more varyings cost more than they save.
+      vtkIndirectFlatUniforms::Move(shaders.VertexText, shaders.FragmentText, 64);
     }
   }
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
