@@ -9,42 +9,13 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-import tempfile
 import unittest
 from pathlib import Path
 
-PROGRAMS = Path(os.environ["VTK_INDIRECT_PROGRAMS"])
-"""Folder of the programs of tests."""
+FOLDER = Path(os.environ["VTK_INDIRECT_SHADERS"])
+"""Folder into which Mesa wrote what other tests compile."""
 COMPILER = shutil.which("glslangValidator")
-TESTS = (
-    ("IndirectShaderTests", "StagesLink"),
-    ("TestPassContract", "ChoicesSame"),
-    ("TestPassContract", "ChoicesKernels"),
-    ("TestPassContract", "KindsFull"),
-    ("TestPassContract", "PropsTubes"),
-    ("TestPassContract", "SkyChoicesSame"),
-    ("IndirectSplattingTests", "BranchesAndVisibility"),
-    ("IndirectRadiometryTests", "AreaImageSplitsWithoutPop"),
-    ("IndirectRadiometryTests", "AreaPenumbraInMovingFrames"),
-    ("IndirectRadiometryTests", "SphereSegmentsBesideVoxels"),
-    ("IndirectRadiometryTests", "SphereSegmentsLongLists"),
-)
-"""Programs and tests that have all stages compiled between them, as on the processor, as on a card,
-and as compute shaders."""
 STAGES = {"VS": "vert", "FS": "frag", "GS": "geom", "CS": "comp"}
-
-
-def dump(folder: Path) -> None:
-    """Run the tests in such a way that Mesa writes what it compiles into a folder."""
-    for program, test in TESTS:
-        environment = {
-            **os.environ,
-            "MESA_SHADER_DUMP_PATH": str(folder),
-        }
-        subprocess.run(
-            [PROGRAMS / program, test],
-            env=environment, capture_output=True, check=False,
-        )
 
 
 @unittest.skipIf(COMPILER is None, "glslangValidator is missing (Debian: glslang-tools)")
@@ -52,24 +23,21 @@ class Shaders(unittest.TestCase):
     """One run, all shaders."""
 
     def test_the_reference_compiler_takes_them(self) -> None:
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            dump(folder)
-            shaders = sorted(folder.glob("*.glsl"))
-            if not shaders:
-                self.skipTest("OpenGL does not heed MESA_SHADER_DUMP_PATH: no Mesa, or no context")
-            found = {stage: 0 for stage in STAGES}
-            for shader in shaders:
-                stage = shader.name[:2]
-                found[stage] += 1
-                with self.subTest(shader=shader.name):
-                    said = subprocess.run(
-                        [COMPILER, "-S", STAGES[stage], shader],
-                        capture_output=True, text=True, check=False,
-                    )
-                    lines = shader.read_text(errors="replace").splitlines()
-                    own = [line for line in lines if "vtki" in line][:1]
-                    self.assertEqual(said.returncode, 0, f"{said.stdout}\n{own}")
+        shaders = sorted(FOLDER.glob("*.glsl"))
+        if not shaders:
+            self.skipTest("OpenGL does not heed MESA_SHADER_DUMP_PATH: no Mesa, or no context")
+        found = {stage: 0 for stage in STAGES}
+        for shader in shaders:
+            stage = shader.name[:2]
+            found[stage] += 1
+            with self.subTest(shader=shader.name):
+                said = subprocess.run(
+                    [COMPILER, "-S", STAGES[stage], shader],
+                    capture_output=True, text=True, check=False,
+                )
+                lines = shader.read_text(errors="replace").splitlines()
+                own = [line for line in lines if "vtki" in line][:1]
+                self.assertEqual(said.returncode, 0, f"{said.stdout}\n{own}")
         print(found)
         # The current number; fewer means that a test's stages are no longer compiled.
         self.assertGreater(found["FS"], 60)
