@@ -126,7 +126,7 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
     const bool pixels = number == 1;
     vtkIndirectFullScreenProgram& kernel = pixels ? this->LobeOfPixels : this->Lobe;
     vtkIndirectTarget& target = *this->Lobes[number - 1];
-    vtkShaderProgram* program = kernel.Use(frame.Window, target);
+    vtkShaderProgram* program = kernel.Use(frame.Window);
     if (!program)
     {
       return false;
@@ -252,7 +252,7 @@ bool vtkIndirectGlossySubsplats::Interpolate(
 {
   this->UpsamplePixels.SetDefinitions("#define VTKI_PIXELS\n");
   vtkIndirectFullScreenProgram& kernel = number == 0 ? this->UpsamplePixels : this->Upsample;
-  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window, target);
+  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;

@@ -3,6 +3,7 @@
 
 #include "OpenGL/vtkIndirectComputeProgram.h"
 
+#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -98,14 +99,8 @@ vtkIndirectComputeProgram::~vtkIndirectComputeProgram() = default;
 //------------------------------------------------------------------------------
 bool vtkIndirectComputeProgram::IsSupported()
 {
-#ifdef GL_COMPUTE_SHADER
-  int version[2] = { 0, 0 };
-  glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
-  glGetIntegerv(GL_MINOR_VERSION, &version[1]);
-  return version[0] > 4 || (version[0] == 4 && version[1] >= 3);
-#else
-  return false;
-#endif
+  return vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Compute) ==
+    vtkIndirectBackEndChoices::ComputeOn;
 }
 
 //------------------------------------------------------------------------------
@@ -119,22 +114,11 @@ void vtkIndirectComputeProgram::SetDefinitions(const std::string& definitions)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectComputeProgram::SetText(const std::string& text)
-{
-  if (text != this->Text)
-  {
-    this->Text = text;
-    this->Release(nullptr);
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Built)
   {
-    std::string text =
-      this->Stage.empty() ? this->Text : vtkIndirectShaderLibrary::GetText(this->Stage);
+    std::string text = vtkIndirectShaderLibrary::GetText(this->Stage);
     // VTK puts the version of other stages into the first line.
     text.replace(0, text.find('\n') + 1, "#version 430\n" + this->Definitions);
     auto built = vtkSmartPointer<Program>::New();

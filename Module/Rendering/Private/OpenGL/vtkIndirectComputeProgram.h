@@ -15,19 +15,16 @@ class vtkWindow;
 class vtkIndirectComputeProgram
 {
 public:
-  /** stage: file in glsl/stage, or empty if SetText sets another text. */
+  /** stage: the name of a file in glsl. */
   explicit vtkIndirectComputeProgram(const char* stage);
   ~vtkIndirectComputeProgram();
 
-  /** True if the current context has compute shaders and storage buffers: OpenGL 4.3. */
+  /** True if the current context has compute shaders and storage buffers, OpenGL 4.3, and
+   * vtkIndirectBackEndChoices does not switch them off. */
   static bool IsSupported();
 
   /** Sets the first lines of the text, such as macros; a change rebuilds the program. */
   void SetDefinitions(const std::string& definitions);
-
-  /** Sets a text in place of the stage's, whose first line is ignored; a change rebuilds the
-   * program. */
-  void SetText(const std::string& text);
 
   /** Makes the program current. Returns nullptr, after an error, if it does not compile. */
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
@@ -37,7 +34,6 @@ public:
 private:
   class Program;
   std::string Stage;
-  std::string Text;
   std::string Definitions;
   vtkSmartPointer<Program> Built;
 };

@@ -150,7 +150,7 @@ bool vtkIndirectHintFields::Inject(
   vtkIndirectFullScreenProgram& kernel = list ? this->DenseKernel : this->SampledKernel;
   kernel.SetDefinitions(GetDefinitions(this->Layout, settings.Visibility, grid.GetNumberOfGrids()) +
     (list ? input.Lights->GetDefinitions() : ""));
-  vtkShaderProgram* program = kernel.Use(frame.Window, *this->Fields[0]);
+  vtkShaderProgram* program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -214,7 +214,7 @@ bool vtkIndirectHintFields::Reflect(
   {
     return false;
   }
-  vtkShaderProgram* program = this->RadiosityKernel.Use(window, this->Radiosity);
+  vtkShaderProgram* program = this->RadiosityKernel.Use(window);
   if (!program)
   {
     return false;
@@ -246,7 +246,7 @@ bool vtkIndirectHintFields::Bounce(
   // L^k = L^1 + T L^(k-1)
   const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
   this->CopyKernel.SetDefinitions(GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
-  vtkShaderProgram* program = this->CopyKernel.Use(window, *this->Fields[next]);
+  vtkShaderProgram* program = this->CopyKernel.Use(window);
   if (!program)
   {
     return false;
@@ -260,7 +260,7 @@ bool vtkIndirectHintFields::Bounce(
     settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
   kernel.SetDefinitions(GetDefinitions(
     this->Layout, settings.FromHints && settings.Visibility, grid.GetNumberOfGrids()));
-  program = kernel.Use(window, *this->Fields[next], true);
+  program = kernel.Use(window);
   if (!program)
   {
     this->Fields[next]->End();
