@@ -200,10 +200,9 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
 //------------------------------------------------------------------------------
 bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
 {
-#ifdef GL_COMPUTE_SHADER
-  const bool pixels = work.Number == 0;
-  vtkShaderProgram* program =
-    (pixels ? this->PixelBlocks : this->TexelBlocks)[SharesLooks(work)].Use(work.In.Frame.Window);
+  vtkIndirectComputeProgram& kernel =
+    (work.Number == 0 ? this->PixelBlocks : this->TexelBlocks)[SharesLooks(work)];
+  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -212,35 +211,21 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
   work.Lights.Activate(program);
   work.In.Visibility.Activate(work.In.Frame.Window, program);
   const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
-  static const char* const images[] = { "vtkiIrradianceImage", "vtkiVectorImage" };
-  const GLenum format = this->HalfFloats ? GL_RGBA16F : GL_RGBA32F;
-  const int count = pixels ? 1 : 2;
-  for (int i = 0; i < count; ++i)
+  kernel.AddImages(work.Target);
+  program->SetUniformi("vtkiIrradianceImage", 0);
+  if (work.Number > 0)
   {
-    glBindImageTexture(
-      i, work.Target.GetTexture(i)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, format);
-    program->SetUniformi(images[i], i);
+    program->SetUniformi("vtkiVectorImage", 1);
   }
   const vtkIndirectSubsplatList& lists = work.Pyramid.GetLists();
   lists.Activate(program, work.Number);
-  // Waits for draws into the images, which llvmpipe does not do by itself.
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  lists.Dispatch(work.Number);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  kernel.Run(lists.GetBuffer(), work.Number);
   lists.Deactivate();
-  for (int i = 0; i < count; ++i)
-  {
-    glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, format);
-  }
   surface.Deactivate();
   work.In.Geometry.GetTarget().Deactivate();
   work.Lights.Deactivate();
   work.In.Visibility.Deactivate();
   return true;
-#else
-  (void)work;
-  return false;
-#endif
 }
 
 //------------------------------------------------------------------------------

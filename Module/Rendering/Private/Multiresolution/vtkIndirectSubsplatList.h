@@ -27,8 +27,8 @@ public:
   void Activate(vtkShaderProgram* program, size_t list) const;
   void Deactivate() const { this->Buffer.Deactivate(); }
 
-  /** One invocation for each entry, rounded up to groups; the program must be current. */
-  void Dispatch(size_t list) const { this->Buffer.Dispatch(list); }
+  /** The lists, for programs that run for their entries. */
+  const vtkIndirectCommandBuffer& GetBuffer() const { return this->Buffer; }
 
   /** Entries in a list. Waits for the GPU. */
   int Count(size_t list) const { return static_cast<int>(this->Buffer.Count(list)); }

@@ -4,7 +4,9 @@
 #include "OpenGL/vtkIndirectComputeProgram.h"
 
 #include "OpenGL/vtkIndirectBackEndChoices.h"
+#include "OpenGL/vtkIndirectCommandBuffer.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "OpenGL/vtkIndirectTarget.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -132,6 +134,69 @@ vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
   window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(static_cast<GLuint>(this->Built->GetHandle()));
   return this->Built;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::AddImages(const vtkIndirectTarget& target, int unit)
+{
+#ifdef GL_COMPUTE_SHADER
+  for (int i = 0; i < target.GetNumberOfChannels(); ++i)
+  {
+    this->Units.push_back(static_cast<GLuint>(unit + i));
+    glBindImageTexture(this->Units.back(), target.GetTexture(i)->GetHandle(), 0, GL_FALSE, 0,
+      GL_READ_WRITE, target.GetInternalFormat(i));
+  }
+#else
+  (void)target, (void)unit;
+#endif
+}
+
+//------------------------------------------------------------------------------
+// llvmpipe does not wait for draws into a kernel's inputs by itself.
+void vtkIndirectComputeProgram::Begin()
+{
+#ifdef GL_COMPUTE_SHADER
+  glMemoryBarrier(
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+#endif
+}
+
+//------------------------------------------------------------------------------
+// The next user of an image may sample the image, draw over it, add to it, read it back or replace
+// it; the next user of a list may append, read or dispatch.
+void vtkIndirectComputeProgram::End()
+{
+#ifdef GL_COMPUTE_SHADER
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  for (const unsigned int unit : this->Units)
+  {
+    glBindImageTexture(unit, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  }
+#endif
+  this->Units.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::Run(int width, int height, int groupSize)
+{
+  Begin();
+#ifdef GL_COMPUTE_SHADER
+  glDispatchCompute(static_cast<GLuint>((width + groupSize - 1) / groupSize),
+    static_cast<GLuint>((height + groupSize - 1) / groupSize), 1);
+#else
+  (void)width, (void)height, (void)groupSize;
+#endif
+  this->End();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::Run(const vtkIndirectCommandBuffer& lists, size_t list)
+{
+  Begin();
+  lists.Dispatch(list);
+  this->End();
 }
 
 //------------------------------------------------------------------------------
