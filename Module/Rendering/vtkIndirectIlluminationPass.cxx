@@ -13,7 +13,6 @@
 #include "Frame/vtkIndirectSwitches.h"
 #include "Frame/vtkIndirectView.h"
 #include "Gather/vtkIndirectSum.h"
-#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "Pipeline/vtkIndirectLighting.h"
 #include "Pipeline/vtkIndirectPipeline.h"
@@ -162,40 +161,12 @@ void vtkIndirectIlluminationPass::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfAreaLights: " << this->GetNumberOfAreaLights() << "\n";
   os << indent << "DelegatePass: " << this->DelegatePass << "\n";
   vtkIndirectSettingList settings;
-  this->AddSettings(settings, nullptr);
-  settings.Print(os, indent);
+  this->Internal->Pipeline.AddSettings(settings, this->Settings, nullptr);
+  settings.Add("DebugView", this->DebugView).Print(os, indent);
   os << indent << "Buffers:\n";
   vtkIndirectComposite::PrintChannels(os, indent.GetNextIndent());
   os << indent << "ReflectiveShadowMaps:\n";
   this->ReflectiveShadowMaps->PrintSelf(os, indent.GetNextIndent());
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectIlluminationPass::AddSettings(
-  vtkIndirectSettingList& list, const vtkIndirectPlan* plan)
-{
-  using Choice = vtkIndirectSettingList::Choice;
-  const vtkIndirectSettings& set = this->Settings;
-  static const char* const visibilities[] = { "Auto", "None", "Voxels", "Maps" };
-  const bool maps = plan && plan->Senders == vtkIndirectPlan::MAPS;
-  const int lighting =
-    plan && set.IndirectScale == 0.0 ? static_cast<int>(vtkIndirectLightingScene) : set.Lighting;
-  list.Add("Lighting", Choice{ vtkIndirectLighting::GetTitle(lighting) })
-    .Add("Visibility", Choice{ visibilities[plan ? plan->Visibility : set.Visibility] })
-    .Add("Shadows", set.Shadows)
-    .Add("Antialiasing", plan ? plan->Antialiasing : set.Antialiasing)
-    .Add("ReflectiveShadowMapResolution",
-      maps ? vtkIndirectLightMaps::Get(this->ReflectiveShadowMaps).GetTexels()
-           : this->GetReflectiveShadowMapResolution())
-    .Add("NumberOfBounces", plan ? plan->LastBounce : set.NumberOfBounces)
-    .Add("IndirectScale", set.IndirectScale)
-    .Add("ErrorTolerance", plan ? plan->EstimatorErrorTolerance : set.ErrorTolerance)
-    .Add("Caching", set.Caching)
-    .Add("MapsFirst", plan ? plan->WaitsForMaps : set.MapsFirst)
-    .Add("SpheresInMotion", set.SpheresInMotion)
-    .Add("RemainingGeometry", set.RemainingGeometry)
-    .Add("DebugView", this->DebugView)
-    .Add("Timing", this->GetTiming());
 }
 
 //------------------------------------------------------------------------------
@@ -568,7 +539,8 @@ vtkIndirectSettingList vtkIndirectIlluminationPass::CollectSettings()
   {
     vtkIndirectSampler::Get(this->GetActiveSampler())->AddSettings(settings, plan);
   }
-  this->AddSettings(settings, plan);
+  in.Pipeline.AddSettings(settings, this->Settings, plan);
+  settings.Add("DebugView", this->DebugView);
   return settings;
 }
 

@@ -50,7 +50,6 @@ class vtkPolyData;
 class vtkProp;
 class vtkReflectiveShadowMapPass;
 class vtkVirtualLightSampler;
-struct vtkIndirectPlan;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkIndirectIlluminationPass : public vtkOpenGLRenderPass
 {
@@ -448,10 +447,8 @@ private:
 
   void LetGo(vtkWindow* window);
   void ShowDebugView();
-  // Adds the pass's settings; plan: that of the last frame for those in force, or null.
   /** Returns the settings of the estimator, the sampler and the pass, as they are in force. */
   vtkIndirectSettingList CollectSettings();
-  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan);
   vtkIndirectEstimatorPass* GetFrameEstimator(); // estimator of the last frame, if the next frame
                                                  // has none
   void RenderDelegate(const vtkRenderState* s, const std::string& why);

@@ -103,7 +103,7 @@ vtkIndirectAbilities SplatSum::GetAbilities(double tolerance) const
 //------------------------------------------------------------------------------
 bool SplatSum::SumGlossy(const Input& input)
 {
-  if (vtkIndirectSplats::UsesTiles())
+  if (vtkIndirectComputeProgram::IsSupported())
   {
     return this->Splats.SumGlossy(input, this->Table, *this->Glossy);
   }
@@ -125,7 +125,7 @@ bool SplatSum::Sum(const Input& input)
   vtkIndirectStageTimer& timer = input.Timer;
   this->Window = frame.Window;
   const vtkIndirectTarget* depth =
-    vtkIndirectSplats::UsesTiles() ? nullptr : &input.Geometry.GetTarget();
+    vtkIndirectComputeProgram::IsSupported() ? nullptr : &input.Geometry.GetTarget();
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1], depth) ||
     !this->ResizeGlossy(input))
   {
@@ -202,8 +202,8 @@ void SplatSum::AddToReport(vtkIndirectReport& report) const
   if (this->HasGlossy)
   {
     report.Modelled.emplace_back("light in specular lobes",
-      vtkIndirectSplats::UsesTiles() ? "virtual lights of lists by tiles"
-                                     : "all virtual lights at every specular pixel");
+      vtkIndirectComputeProgram::IsSupported() ? "virtual lights of lists by tiles"
+                                               : "all virtual lights at every specular pixel");
   }
 }
 

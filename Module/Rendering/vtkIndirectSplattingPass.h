@@ -17,7 +17,7 @@
  *   FarFieldStep-th pixel and interpolated (FarField). The report has its amount.
  * - Sums do not depend on an order of drawing: splats are blended in 32-bit floats in the order of
  *   the lights, or, with OpenGL 4.3, summed in that order in tiles of 16 x 16 pixels, each of which
- *   lists the ellipsoids that its surfaces meet (`splats` of VTK_INDIRECT_PATHS).
+ *   lists the ellipsoids that its surfaces meet.
  *
  * Approximations: those of vtkRSMGatherPass over the same lights, to which the result converges as
  * IntensityThreshold goes to 0, and the far field's interpolation, of either sign. Without FarField

@@ -257,8 +257,7 @@ bool GatherSum::Sum(const Input& input)
   // Sums at coarse samples, or at every pixel.
   timer.Begin(vtkIndirectStageTimer::Estimate);
   vtkIndirectTarget& sums = interpolate ? this->Coarse : *this->Irradiance;
-  vtkShaderProgram* program =
-    this->Gather[neighborhood].Use(frame.Window, sums, rows > rowsPerDraw);
+  vtkShaderProgram* program = this->Gather[neighborhood].Use(frame.Window);
   if (!program)
   {
     return false;
@@ -310,7 +309,7 @@ bool GatherSum::Sum(const Input& input)
   }
 
   timer.Begin(vtkIndirectStageTimer::Upsample);
-  program = this->Upsample[neighborhood].Use(frame.Window, *this->Irradiance);
+  program = this->Upsample[neighborhood].Use(frame.Window);
   if (!program)
   {
     return false;

@@ -47,7 +47,7 @@ void vtkReflectiveShadowMapPass::Render(const vtkRenderState* s)
     return;
   }
   vtkNew<vtkSurfaceCapturePass> capture;
-  capture->ShadowsOff();
+  capture->SetOutputs({ false, false, false });
   capture->Attach(frame);
   this->Maps->Update(frame, plan, capture, this->Settings.Resolution);
   capture->Detach();

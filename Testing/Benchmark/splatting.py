@@ -112,7 +112,7 @@ def ways_of(part: str, size: int) -> list[Way]:
         return rows
     return [
         Way(name, "splatting", splats(768, 0.05, False), paths=paths)
-        for name, paths in (("tiles", "splats=tiles"), ("ellipsoids", "splats=blend"))
+        for name, paths in (("tiles", "compute=on"), ("ellipsoids", "compute=off"))
     ]
 
 

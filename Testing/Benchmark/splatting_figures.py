@@ -58,7 +58,7 @@ def draw_thresholds(source: Path, size: int, path: Path) -> None:
 def draw_overdraw(source: Path, size: int, path: Path) -> None:
     """Draw figure 8."""
     pictures = []
-    for paths in ("splats=blend", "splats=tiles"):
+    for paths in ("compute=off", "compute=on"):
         os.environ["VTK_INDIRECT_PATHS"] = paths
         scene = open_scene(source, size, "splatting", NumberOfLights=LIGHTS,
                            IntensityThreshold=0.05, FarField=False)  # fmt: skip

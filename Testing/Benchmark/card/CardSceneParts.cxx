@@ -236,19 +236,8 @@ std::vector<card::Part> card::MakeSceneParts(const Options& options, bool smalle
 card::Part card::MakePathsPart(const Options& options)
 {
   using Splatting = vtkMultiresolutionSplattingPass;
-  // What is no path of OpenGL calls. Compute has atomic counters, points and fragments have none.
+  // Storage is a detail of the pass and no back-end choice.
   static const std::map<std::string, void (*)(Splatting*)> properties = {
-    // Its sums would round at every light in half floats.
-    { "Renderer=PointSplats,Storage=Float",
-      [](Splatting* pass)
-      {
-        SET_DETAIL(pass, Renderer, vtkIndirectSubsplatDetails::POINTS);
-        SET_DETAIL(pass, HalfFloats, false);
-      } },
-    { "Renderer=LeafFragments",
-      [](Splatting* pass) { SET_DETAIL(pass, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS); } },
-    { "Renderer=LeafCompute",
-      [](Splatting* pass) { SET_DETAIL(pass, Renderer, vtkIndirectSubsplatDetails::COMPUTE); } },
     { "Storage=Float", [](Splatting* pass) { SET_DETAIL(pass, HalfFloats, false); } },
   };
   Part part;

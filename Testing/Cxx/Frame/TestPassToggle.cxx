@@ -118,7 +118,7 @@ VTK_INDIRECT_TEST(Toggle)
 VTK_INDIRECT_TEST(ToggleSplatting)
 {
   vtkNew<vtkIndirectSplattingPass> splatting;
-  for (const char* paths : { "splats=blend", "splats=tiles" })
+  for (const char* paths : { "compute=off", "compute=on" })
   {
     setenv("VTK_INDIRECT_PATHS", paths, 1);
     CheckToggle(splatting);
@@ -130,7 +130,7 @@ VTK_INDIRECT_TEST(ToggleSplatting)
 VTK_INDIRECT_TEST(ToggleProxies)
 {
   vtkNew<vtkEnvironmentLight> sky;
-  for (const char* paths : { "splats=blend", "splats=tiles" })
+  for (const char* paths : { "compute=off", "compute=on" })
   {
     setenv("VTK_INDIRECT_PATHS", paths, 1);
     vtkNew<vtkProxyAccumulationPass> proxies;

@@ -2,6 +2,7 @@
 // The tree of subsplats: each lit pixel in one leaf, neighbouring leaves, the paper's refinement
 // against its criterion on the CPU, and equal leaves by every renderer.
 #include "vtkIndirectDetails.h"
+#include "vtkIndirectForcedPath.h"
 #include "vtkIndirectPyramidReader.h"
 #include "vtkIndirectRandomFrame.h"
 
@@ -376,7 +377,7 @@ VTK_INDIRECT_TEST(LeavesOfThePaper)
 
 VTK_INDIRECT_TEST(LeavesOfRenderers)
 {
-  // POINT_SPLATS, LEAF_FRAGMENTS and LEAF_COMPUTE at thresholds above zero.
+  // Full-screen passes and compute shaders have the same leaves at thresholds above zero.
   double worst = 0.0;
   std::vector<double> squares;
   double moved = 0.0;
@@ -394,40 +395,35 @@ VTK_INDIRECT_TEST(LeavesOfRenderers)
     scene.Splatting->SetFinestLevel(
       number % 4 == 3 ? Pass::HALF_RESOLUTION : Pass::FULL_RESOLUTION);
     SET_DETAIL(scene.Splatting, DepthRange, number % 3 == 2);
-    SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS);
-    const Image fragments = scene.Splat();
-    const Image levels = scene.Copy("subsplat.level");
+    Image fragments;
+    Image levels;
+    {
+      const vtkIndirectForcedPath path("compute=off");
+      fragments = scene.Splat();
+      levels = scene.Copy("subsplat.level");
+    }
     std::map<float, int> leaves;
     for (float level : levels.Values)
     {
       ++leaves[level];
       coarse += level > 0.0f;
     }
-    for (const auto renderer :
-      { vtkIndirectSubsplatDetails::POINTS, vtkIndirectSubsplatDetails::COMPUTE })
+    scene.Splatting->Modified();
+    const ImageError error = Compare(scene.Splat(), fragments, 1e-3);
+    compared = compared || vtkIndirectComputeProgram::IsSupported();
+    worst = std::max(worst, error.Worst);
+    if (error.Mean > 0.0)
     {
-      if (renderer == vtkIndirectSubsplatDetails::COMPUTE &&
-        !vtkIndirectComputeProgram::IsSupported())
-      {
-        continue;
-      }
-      compared = true;
-      SET_DETAIL(scene.Splatting, Renderer, renderer);
-      const ImageError error = Compare(scene.Splat(), fragments, 1e-3);
-      worst = std::max(worst, error.Worst);
-      if (error.Mean > 0.0)
-      {
-        squares.push_back(error.RootMeanSquare);
-      }
-      std::map<float, int> others;
-      const Image otherLevels = scene.Copy("subsplat.level");
-      for (size_t i = 0; i < levels.Values.size(); ++i)
-      {
-        ++others[otherLevels.Values[i]];
-        moved += otherLevels.Values[i] != levels.Values[i];
-      }
-      counts += others != leaves;
+      squares.push_back(error.RootMeanSquare);
     }
+    std::map<float, int> others;
+    const Image otherLevels = scene.Copy("subsplat.level");
+    for (size_t i = 0; i < levels.Values.size(); ++i)
+    {
+      ++others[otherLevels.Values[i]];
+      moved += otherLevels.Values[i] != levels.Values[i];
+    }
+    counts += others != leaves;
   }
   Check("renderers compared", compared);
   CheckAtLeast("pixels in leaves coarser than one", coarse, 5000, "the test's own power");

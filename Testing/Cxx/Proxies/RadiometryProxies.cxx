@@ -172,7 +172,7 @@ VTK_INDIRECT_TEST(ProxiesChoicesAreTheSame)
       Image normal;
       for (int i = 0; i < 2; ++i)
       {
-        Force(i ? "splats=blend" : "splats=tiles");
+        Force(i ? "compute=off" : "compute=on");
         ProxyScene scene;
         scene.SetBalls(MakeCluster(300, 1.0));
         scene.Proxies->SetGroups(groups);

@@ -4,27 +4,18 @@
 #define vtkIndirectSplattingScene_h
 
 #include "Multiresolution/vtkIndirectRandomFrame.h"
+#include "vtkIndirectForcedPath.h"    // for the way
 #include "vtkIndirectSplattingPass.h" // for members
 #include "vtkUniformLightSampler.h"   // for the number of lights
 
 #include <algorithm>        // for bounds
 #include <cmath>            // for finite values
-#include <cstdlib>          // for the environment
 #include <initializer_list> // for thresholds
 #include <string>           // for names
 #include <vector>           // for errors
 
 namespace vtkIndirectTest
 {
-/** Forces a choice by name during its lifetime, for passes made or released in that time. */
-struct ForcedPath
-{
-  explicit ForcedPath(const std::string& paths) { setenv("VTK_INDIRECT_PATHS", paths.c_str(), 1); }
-  ~ForcedPath() { unsetenv("VTK_INDIRECT_PATHS"); }
-  ForcedPath(const ForcedPath&) = delete;
-  void operator=(const ForcedPath&) = delete;
-};
-
 /** Method of summing splats. */
 enum class SplatWay
 {
@@ -47,7 +38,7 @@ struct SplattingFrameOf : Base
 
   Image SplatLights(SplatWay way)
   {
-    const ForcedPath path(way == SplatWay::TILES ? "splats=tiles" : "splats=blend");
+    const vtkIndirectForcedPath path(way == SplatWay::TILES ? "compute=on" : "compute=off");
     this->Splats->Modified();
     this->Pass->SetEstimator(this->Splats);
     this->Render();

@@ -2,6 +2,7 @@
 // Occupancy of the estimators that sum over virtual lights: hidden receivers are dark, others keep
 // their light, and all estimators agree.
 #include "vtkIndirectDetails.h"
+#include "vtkIndirectForcedPath.h"
 #include "vtkIndirectVisibilityScene.h"
 
 #include "vtkActor.h"
@@ -256,14 +257,14 @@ VTK_INDIRECT_TEST(OccupancySame)
   };
   compare("gather", scene.Gather);
   compare("multiresolution, compute", scene.Splatting);
-  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS);
-  compare("multiresolution, fragments", scene.Splatting);
-  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::POINTS);
-  compare("multiresolution, points", scene.Splatting);
+  {
+    const vtkIndirectForcedPath path("compute=off");
+    scene.Splatting->Modified();
+    compare("multiresolution, fragments", scene.Splatting);
+  }
   // With more lights than a uniform block holds.
   scene.Sampler->SetNumberOfLights(1500);
   const Image many = scene.Measure(scene.Reference, true);
-  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::AUTOMATIC);
   CheckAtMost(
     "1500 lights", RootMeanSquare(scene.Measure(scene.Splatting, true), many), 1e-3, "as before");
 }
@@ -303,11 +304,11 @@ VTK_INDIRECT_TEST(OccupancyManyLights)
     CheckEqual(name + ": lights", scene.ReadReport("virtual_lights"), 2500);
   };
   check("gather", scene.Gather, 0.005);
-  for (const auto renderer : { vtkIndirectSubsplatDetails::POINTS,
-         vtkIndirectSubsplatDetails::FRAGMENTS, vtkIndirectSubsplatDetails::AUTOMATIC })
+  check("multiresolution", scene.Splatting, 0.005);
   {
-    SET_DETAIL(scene.Splatting, Renderer, renderer);
-    check("multiresolution " + std::to_string(renderer), scene.Splatting, 0.005);
+    const vtkIndirectForcedPath path("compute=off");
+    scene.Splatting->Modified();
+    check("multiresolution, fragments", scene.Splatting, 0.005);
   }
   vtkNew<vtkMultiresolutionSplattingPass> defaults;
   check("multiresolution by default", defaults, 0.04);

@@ -3,7 +3,7 @@
 // precision.
 #include "Visibility/vtkIndirectSphereGrid.h"
 #include "vtkIndirectBalls.h"
-#include "vtkIndirectDetails.h"
+#include "vtkIndirectForcedPath.h"
 #include "vtkIndirectVisibilityScene.h"
 
 #include "vtkActor.h"
@@ -182,10 +182,9 @@ VTK_INDIRECT_TEST(SphereSegmentsAreRays)
   check("reference by voxels", scene.MeasureReference(vtkRSMReferencePass::VOXELS));
   check("reference, exact", scene.MeasureReference(vtkRSMReferencePass::EXACT));
   check("multiresolution, compute", scene.Measure(scene.Splatting, true));
-  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS);
+  const vtkIndirectForcedPath path("compute=off");
+  scene.Splatting->Modified();
   check("multiresolution, fragments", scene.Measure(scene.Splatting, true));
-  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::POINTS);
-  check("multiresolution, points", scene.Measure(scene.Splatting, true));
 }
 
 VTK_INDIRECT_TEST(SphereSegmentsAlone)
@@ -333,8 +332,9 @@ VTK_INDIRECT_TEST(SphereSegmentsManyLights)
   };
   check("gather", scene.Gather);
   check("multiresolution, compute", scene.Splatting);
-  SET_DETAIL(scene.Splatting, Renderer, vtkIndirectSubsplatDetails::POINTS);
-  check("multiresolution, points", scene.Splatting);
+  const vtkIndirectForcedPath path("compute=off");
+  scene.Splatting->Modified();
+  check("multiresolution, fragments", scene.Splatting);
 }
 
 VTK_INDIRECT_TEST(SphereSegmentsLongLists)

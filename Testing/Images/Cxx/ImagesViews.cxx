@@ -32,7 +32,6 @@ void ShowSubsplats(images::Picture& picture, const std::string& channel)
   images::AddRoom(picture);
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
   SET_DETAIL(splatting, CoarsestResolution, 16);
-  SET_DETAIL(splatting, Renderer, vtkIndirectSubsplatDetails::FRAGMENTS);
   picture.Pass->SetEstimator(splatting);
   images::SetIntensity(picture, 1.5);
   picture.ShowChannel(channel);

@@ -15,10 +15,10 @@
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
-#include "Visibility/vtkIndirectSphereGrid.h"
 #include "Visibility/vtkIndirectSurfaces.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkIndirectReferenceLobe.h"
+#include "vtkIndirectSegmentTests.h"
 #include "vtkIndirectSightLines.h"
 #include "vtkIndirectVoxelLines.h"
 #include "vtkObjectFactory.h"
@@ -182,53 +182,6 @@ void SumLobes(const std::vector<vtkIndirectReferenceLobe>& senders,
     }
   }
 }
-
-// Several classes of the same form tell whether two points on surfaces see each other: a type End,
-// FindEnd(position, normal) and IsVisible(End, End). vtkIndirectSightLines tests the surfaces
-// themselves, vtkIndirectVoxelLines the voxels.
-
-// SphereLines tests the lists of spheres, as shaders do.
-struct SphereLines
-{
-  using End = glm::dvec3;
-  const vtkIndirectSphereGrid& Grid;
-
-  End FindEnd(const glm::dvec3& position, const glm::dvec3&) const { return position; }
-  bool IsVisible(const End& a, const End& b) const { return this->Grid.IsFree(a, b); }
-};
-
-// BothLines combines two tests, either of which hides.
-template <typename First, typename Second>
-struct BothLines
-{
-  struct End
-  {
-    typename First::End OfFirst;
-    typename Second::End OfSecond;
-  };
-  First One;
-  Second Other;
-
-  End FindEnd(const glm::dvec3& position, const glm::dvec3& normal) const
-  {
-    return { this->One.FindEnd(position, normal), this->Other.FindEnd(position, normal) };
-  }
-  bool IsVisible(const End& a, const End& b) const
-  {
-    return this->One.IsVisible(a.OfFirst, b.OfFirst) &&
-      this->Other.IsVisible(a.OfSecond, b.OfSecond);
-  }
-};
-
-// OpenLines hides nothing.
-struct OpenLines
-{
-  struct End
-  {
-  };
-  End FindEnd(const glm::dvec3&, const glm::dvec3&) const { return {}; }
-  bool IsVisible(const End&, const End&) const { return true; }
-};
 
 // Empty lanes have no normal.
 glm::dvec3 Normalized(const glm::dvec3& normal)
@@ -420,7 +373,7 @@ struct Sums
   template <typename Lines>
   void Make(const Lines& lines)
   {
-    constexpr bool hides = !std::is_same<Lines, OpenLines>::value;
+    constexpr bool hides = !std::is_same<Lines, vtkIndirectOpenLines>::value;
     const SenderEnds<Lines> ends = FindEnds(this->Senders, lines);
     std::vector<typename Lines::End> endsOfLobes;
     for (const vtkIndirectReferenceLobe& lobe : this->Lobes)
@@ -572,7 +525,7 @@ vtkIndirectEstimate ReferenceSum::Estimate(const Input& input)
   sums.Senders = ReadSenders(*input.Lights, sums.Directions);
   sums.Lobes = vtkIndirectReferenceLobe::Read(*input.Lights);
   const vtkIndirectVisibility& visibility = input.Visibility;
-  const SphereLines spheres{ visibility.GetSpheres() };
+  const vtkIndirectSphereLines spheres{ visibility.GetSpheres() };
   if (visibility.IsExact())
   {
     sums.Make(vtkIndirectSightLines(visibility.GetSurfaces().GetTree()));
@@ -580,7 +533,8 @@ vtkIndirectEstimate ReferenceSum::Estimate(const Input& input)
   else if (visibility.WalksVoxels() && visibility.WalksSpheres())
   {
     const vtkIndirectVoxelLines voxels{ visibility.GetVolume().GetDistanceField() };
-    sums.Make(BothLines<vtkIndirectVoxelLines, SphereLines>{ voxels, spheres });
+    sums.Make(
+      vtkIndirectBothLines<vtkIndirectVoxelLines, vtkIndirectSphereLines>{ voxels, spheres });
   }
   else if (visibility.WalksVoxels())
   {
@@ -592,7 +546,7 @@ vtkIndirectEstimate ReferenceSum::Estimate(const Input& input)
   }
   else
   {
-    sums.Make(OpenLines());
+    sums.Make(vtkIndirectOpenLines());
   }
   this->Irradiance->Write(0, sums.Irradiance);
   if (this->HasGlossy)

@@ -11,7 +11,6 @@
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectRendererAccess.h"
 #include "Frame/vtkIndirectSwitches.h"
-#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
@@ -91,12 +90,10 @@ bool vtkIndirectGeometryBuffer::Update(const vtkRenderState* s, const vtkIndirec
   }
   this->Target->Begin();
   // Without blending, pixels that are drawn need not be cleared before.
-  const bool byGL = vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Clear) ==
-    vtkIndirectBackEndChoices::ClearByGL;
-  const bool clearAfter = !byGL && this->HasAlbedoInLit() && this->DepthTellsBackground(frame);
+  const bool clearAfter = this->HasAlbedoInLit() && this->DepthTellsBackground(frame);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
-  byGL ? this->Target->Clear() : this->Target->ClearDepth();
-  if (!byGL && !clearAfter && !this->Clear(frame.Window, false))
+  this->Target->ClearDepth();
+  if (!clearAfter && !this->Clear(frame.Window, false))
   {
     this->Target->End();
     return false;

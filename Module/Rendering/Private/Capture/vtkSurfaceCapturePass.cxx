@@ -231,46 +231,12 @@ vtkSurfaceCapturePass::~vtkSurfaceCapturePass()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceCapturePass::PrintSelf(ostream& os, vtkIndent indent)
+void vtkSurfaceCapturePass::SetOutputs(const Outputs& outputs)
 {
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "DelegatePass: " << this->DelegatePass << "\n";
-  os << indent << "Shadows: " << (this->Shadows ? "On" : "Off") << "\n";
-  os << indent << "Specular: " << (this->Specular ? "On" : "Off") << "\n";
-  os << indent << "ImageLight: " << (this->ImageLight ? "On" : "Off") << "\n";
-  os << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n";
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceCapturePass::SetShadows(bool shadows)
-{
-  if (shadows != this->Shadows)
+  if (outputs != this->Written)
   {
-    this->Shadows = shadows;
+    this->Written = outputs;
     this->SourceTime.Modified();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceCapturePass::SetSpecular(bool specular)
-{
-  if (specular != this->Specular)
-  {
-    this->Specular = specular;
-    this->SourceTime.Modified();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceCapturePass::SetSpecularOfPBR(bool specular)
-{
-  if (specular != this->SpecularOfPBR)
-  {
-    this->SpecularOfPBR = specular;
-    this->SourceTime.Modified();
-    this->Modified();
   }
 }
 
@@ -289,7 +255,7 @@ void vtkSurfaceCapturePass::SetMapsOnly(bool only)
 void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
 {
   this->Detach();
-  bool changed = this->Internal->LightConstants.Update(frame, this->Shadows);
+  bool changed = this->Internal->LightConstants.Update(frame, this->Written.Shadows);
   changed = this->Internal->UpdateFlatUniforms(frame) || changed;
   if (changed)
   {
@@ -522,9 +488,9 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   }
   ++this->NumberOfShaderBuilds;
   const Internals& in = *this->Internal;
-  const vtkIndirectCaptureText text{ in.LightConstants, this->Shadows, this->Specular,
-    this->SpecularOfPBR, in.FlatUniforms, mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0,
-    this->MapsOnly };
+  const vtkIndirectCaptureText text{ in.LightConstants, this->Written.Shadows,
+    this->Written.Specular, this->Written.SpecularOfPBR, in.FlatUniforms,
+    mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0, this->MapsOnly };
   text.Add(vertexShader, geometryShader, fragmentShader);
   return true;
 }

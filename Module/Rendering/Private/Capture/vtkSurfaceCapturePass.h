@@ -40,15 +40,12 @@ class vtkSurfaceCapturePass : public vtkOpenGLRenderPass
 public:
   static vtkSurfaceCapturePass* New();
   vtkTypeMacro(vtkSurfaceCapturePass, vtkOpenGLRenderPass);
-  void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  ///@{
   /**
-   * Pass that draws the opaque props from the eye. Default: null, all opaque props of the state.
+   * Sets the pass that draws the opaque props from the eye. Default: null, all opaque props of the
+   * state.
    */
   virtual void SetDelegatePass(vtkRenderPass* delegate);
-  vtkGetObjectMacro(DelegatePass, vtkRenderPass);
-  ///@}
 
   /**
    * Draws the opaque props of the state in the current stage. Unattached props are drawn as VTK
@@ -66,40 +63,28 @@ public:
    */
   vtkGetMacro(NumberOfShaderBuilds, vtkIdType);
 
-  ///@{
-  /**
-   * Lets mappers look up shadows. Default on. A change rebuilds shaders.
-   */
-  void SetShadows(bool shadows);
-  vtkGetMacro(Shadows, bool);
-  vtkBooleanMacro(Shadows, bool);
-  ///@}
+  /** The contents of the outputs that mappers write; a change rebuilds shaders. */
+  struct Outputs
+  {
+    bool Shadows = true; // mappers look up shadows
+    // The specular colour and power, as a third output of the eye's stage and of light maps; in
+    // light maps also F0 and minus the roughness of VTK's PBR.
+    bool Specular = false;
+    bool SpecularOfPBR = false; // F0 and minus the roughness in the eye's stage, too; else zero
 
-  ///@{
-  /**
-   * Lets mappers write the specular colour and power as a third output of the eye's stage, and of
-   * light maps, there also F0 and minus the roughness of VTK's PBR. Default off. A change rebuilds
-   * shaders.
-   */
-  void SetSpecular(bool specular);
-  /**
-   * Lets the eye's stage write F0 and minus the roughness of VTK's PBR, too; off: zero. Default
-   * off.
-   */
-  void SetSpecularOfPBR(bool specular);
-  vtkGetMacro(Specular, bool);
-  vtkBooleanMacro(Specular, bool);
-  ///@}
+    bool operator!=(const Outputs& other) const
+    {
+      return this->Shadows != other.Shadows || this->Specular != other.Specular ||
+        this->SpecularOfPBR != other.SpecularOfPBR;
+    }
+  };
+  void SetOutputs(const Outputs& outputs);
 
-  ///@{
   /**
    * Lets VTK's physically based shading add diffuse light of the renderer's environment texture,
-   * without occlusion. Default on.
+   * without occlusion. Default true.
    */
-  vtkSetMacro(ImageLight, bool);
-  vtkGetMacro(ImageLight, bool);
-  vtkBooleanMacro(ImageLight, bool);
-  ///@}
+  void SetImageLight(bool imageLight) { this->ImageLight = imageLight; }
 
   /**
    * Lets mappers draw with programs for maps alone, which compute no light of the view. A change
@@ -115,7 +100,6 @@ public:
   bool SetShaderParameters(vtkShaderProgram* program, vtkAbstractMapper* mapper, vtkProp* prop,
     vtkOpenGLVertexArrayObject* VAO = nullptr) override;
 
-#ifndef __VTK_WRAP__
   ///@{
   /**
    * Attaches this object to those props of a frame whose surfaces it can capture, and detaches it
@@ -154,7 +138,6 @@ public:
   bool HasEncoded() const;
   /** True if attached props were drawn into another framebuffer in the last stage from the eye. */
   bool IsRedirected() const;
-#endif
 
 protected:
   vtkSurfaceCapturePass();
@@ -162,9 +145,7 @@ protected:
 
   vtkRenderPass* DelegatePass = nullptr;
   vtkIdType NumberOfShaderBuilds = 0;
-  bool Shadows = true;
-  bool Specular = false;
-  bool SpecularOfPBR = false;
+  Outputs Written;
   bool ImageLight = true;
   bool MapsOnly = false;
   vtkTimeStamp SourceTime; // time of the last change to injected text

@@ -32,7 +32,7 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimateInput& input, vtkIndi
     ? visibility.GetMaximumNumberOfSegments() / vtkIndirectSampler::RowLength
     : RowsPerDraw;
   const int rows = input.Lights ? input.Lights->GetNumberOfRows() : 1;
-  vtkShaderProgram* program = kernel.Use(frame.Window, glossy, rows > rowsPerDraw);
+  vtkShaderProgram* program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;

@@ -379,8 +379,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   vtkIndirectFullScreenProgram& kernel = this->SumKernels[step > 1];
   kernel.SetDefinitions(
     this->GetDefinitions(SumBlock, step) + (step > 1 ? "" : "#define VTKI_SKY_PIXELS 4\n"));
-  vtkShaderProgram* program =
-    step > 1 ? kernel.Use(input.Frame.Window) : kernel.Use(input.Frame.Window, sums, adds);
+  vtkShaderProgram* program = kernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -424,7 +423,7 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
   this->RowKernel.SetDefinitions(
     "#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n");
-  vtkShaderProgram* program = this->RowKernel.Use(input.Frame.Window, this->Rows);
+  vtkShaderProgram* program = this->RowKernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -448,7 +447,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
   kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
-  vtkShaderProgram* program = kernel.Use(input.Frame.Window, this->Irradiance);
+  vtkShaderProgram* program = kernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -482,7 +481,7 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
   const Group& group = this->Groups[Strong];
   const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
   this->StrongKernel.SetDefinitions(this->GetDefinitions(SumBlock, 1) + "#define VTKI_FILTERED\n");
-  vtkShaderProgram* program = this->StrongKernel.Use(input.Frame.Window, this->Irradiance, true);
+  vtkShaderProgram* program = this->StrongKernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;

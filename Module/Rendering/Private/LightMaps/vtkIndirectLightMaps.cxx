@@ -298,21 +298,14 @@ void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
         table.begin() + 4 * VTKI_MAP_TABLE_WIDTH * layer);
     }
   }
-  if (this->TableTexture && table == this->Table)
+  if (!this->TableTexture.IsEmpty() && table == this->Table)
   {
     return;
   }
   this->Table = table;
   this->ContentTime.Modified();
-  if (!this->TableTexture)
-  {
-    this->TableTexture = vtkSmartPointer<vtkTextureObject>::New();
-  }
-  this->TableTexture->SetContext(frame.Window);
-  this->TableTexture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->TableTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->TableTexture->Create2DFromRaw(
-    VTKI_MAP_TABLE_WIDTH, this->NumberOfLayers, 4, VTK_FLOAT, this->Table.data());
+  this->TableTexture.Set(frame.Window, vtkIndirectDataTexture::FLOATS, 4,
+    { VTKI_MAP_TABLE_WIDTH, this->NumberOfLayers, 0 }, this->Table.data());
 }
 
 //------------------------------------------------------------------------------
@@ -322,14 +315,10 @@ void vtkIndirectLightMaps::UpdateFresnel(const vtkIndirectFrame& frame)
 {
   if (!this->HasSpecular())
   {
-    if (this->FresnelTexture)
-    {
-      this->FresnelTexture->ReleaseGraphicsResources(frame.Window);
-      this->FresnelTexture = nullptr;
-    }
+    this->FresnelTexture.Release(frame.Window);
     return;
   }
-  if (this->FresnelTexture)
+  if (!this->FresnelTexture.IsEmpty())
   {
     return;
   }
@@ -341,14 +330,8 @@ void vtkIndirectLightMaps::UpdateFresnel(const vtkIndirectFrame& frame)
       values.insert(values.end(), { entry[4], entry[5] });
     }
   }
-  this->FresnelTexture = vtkSmartPointer<vtkTextureObject>::New();
-  this->FresnelTexture->SetContext(frame.Window);
-  this->FresnelTexture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->FresnelTexture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->FresnelTexture->SetMinificationFilter(vtkTextureObject::Linear);
-  this->FresnelTexture->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->FresnelTexture->Create2DFromRaw(
-    vtkIndirectLobeEntries, vtkIndirectLobeEntries, 2, VTK_FLOAT, values.data());
+  this->FresnelTexture.Set(frame.Window, vtkIndirectDataTexture::FLOATS, 2,
+    { vtkIndirectLobeEntries, vtkIndirectLobeEntries, 0 }, values.data(), true);
 }
 
 //------------------------------------------------------------------------------
@@ -358,16 +341,14 @@ void vtkIndirectLightMaps::Activate(vtkShaderProgram* program) const
   {
     this->Target.Activate(i, program);
   }
-  if (this->FresnelTexture && program->IsUniformUsed("vtkiMapFresnel"))
+  if (!this->FresnelTexture.IsEmpty() && program->IsUniformUsed("vtkiMapFresnel"))
   {
-    this->FresnelTexture->Activate();
-    program->SetUniformi("vtkiMapFresnel", this->FresnelTexture->GetTextureUnit());
+    this->FresnelTexture.Activate(program, "vtkiMapFresnel");
     const float shape[2] = { static_cast<float>(vtkIndirectLobeEntries),
       vtkIndirectLeastRoughness };
     program->SetUniform2f("vtkiMapFresnelShape", shape);
   }
-  this->TableTexture->Activate();
-  program->SetUniformi("vtkiMapTable", this->TableTexture->GetTextureUnit());
+  this->TableTexture.Activate(program, "vtkiMapTable");
 }
 
 //------------------------------------------------------------------------------
@@ -391,14 +372,8 @@ void vtkIndirectLightMaps::Deactivate() const
 {
   this->Target.Deactivate();
   this->Rows.Deactivate();
-  if (this->TableTexture)
-  {
-    this->TableTexture->Deactivate();
-  }
-  if (this->FresnelTexture)
-  {
-    this->FresnelTexture->Deactivate();
-  }
+  this->TableTexture.Deactivate();
+  this->FresnelTexture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -411,14 +386,6 @@ void vtkIndirectLightMaps::Release(vtkWindow* window)
   this->Target.Release(window);
   this->Rows.Release(window);
   this->Faces.clear();
-  if (this->TableTexture)
-  {
-    this->TableTexture->ReleaseGraphicsResources(window);
-    this->TableTexture = nullptr;
-  }
-  if (this->FresnelTexture)
-  {
-    this->FresnelTexture->ReleaseGraphicsResources(window);
-    this->FresnelTexture = nullptr;
-  }
+  this->TableTexture.Release(window);
+  this->FresnelTexture.Release(window);
 }

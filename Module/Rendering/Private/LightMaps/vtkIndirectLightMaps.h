@@ -10,10 +10,10 @@
 #include "Frame/vtkIndirectKey.h"            // for keys
 #include "LightMaps/vtkIndirectLightMap.h"   // for members
 #include "LightMaps/vtkIndirectShadowRows.h" // for members
+#include "OpenGL/vtkIndirectDataTexture.h"   // for members
 #include "OpenGL/vtkIndirectLayeredTarget.h" // for members
 #include "vtkIndent.h"                       // for Print
 #include "vtkSmartPointer.h"                 // for members
-#include "vtkTextureObject.h"                // for members
 #include "vtkTimeStamp.h"                    // for a member
 
 #include <memory> // for maps
@@ -106,8 +106,8 @@ private:
   int NumberOfLayers = 0;
   std::vector<vtkIndirectKey> Faces; // the inputs of each layer's image; empty: not drawn
   std::vector<float> Table;
-  vtkSmartPointer<vtkTextureObject> TableTexture;
-  vtkSmartPointer<vtkTextureObject> FresnelTexture; // null unless senders have lobes
+  vtkIndirectDataTexture TableTexture;
+  vtkIndirectDataTexture FresnelTexture; // empty unless senders have lobes
   vtkSmartPointer<vtkIndirectContextGuard> Guard;
 };
 

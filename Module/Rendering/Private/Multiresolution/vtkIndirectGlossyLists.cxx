@@ -59,15 +59,6 @@ void vtkIndirectGlossyLists::Activate(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectGlossyLists::Wait()
-{
-#ifdef GL_SHADER_STORAGE_BUFFER
-  glMemoryBarrier(
-    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-#endif
-}
-
-//------------------------------------------------------------------------------
 vtkIndirectGlossyLists::Size vtkIndirectGlossyLists::Count(size_t list) const
 {
   Size size;

@@ -31,10 +31,8 @@ public:
   int GetFirst(size_t list) const { return static_cast<int>(this->First[list]); }
   void Deactivate() const { this->Buffer.Deactivate(); }
 
-  /** Separates programs that append from those that read. */
-  static void Wait();
-  /** One invocation for each entry, rounded up to groups; the program must be current. */
-  void Dispatch(size_t list) const { this->Buffer.Dispatch(list); }
+  /** The lists, for programs that run for their entries. */
+  const vtkIndirectCommandBuffer& GetBuffer() const { return this->Buffer; }
 
   /** Entries of a list, and the total number of lights in their sets. Waits for the GPU. */
   struct Size

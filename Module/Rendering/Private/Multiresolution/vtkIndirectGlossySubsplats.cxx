@@ -126,7 +126,7 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
     const bool pixels = number == 1;
     vtkIndirectFullScreenProgram& kernel = pixels ? this->LobeOfPixels : this->Lobe;
     vtkIndirectTarget& target = *this->Lobes[number - 1];
-    vtkShaderProgram* program = kernel.Use(frame.Window, target);
+    vtkShaderProgram* program = kernel.Use(frame.Window);
     if (!program)
     {
       return false;
@@ -156,7 +156,6 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
 //------------------------------------------------------------------------------
 bool vtkIndirectGlossySubsplats::ListFirst(const Work& work)
 {
-#ifdef GL_COMPUTE_SHADER
   vtkShaderProgram* program = this->First.Use(work.In.Frame.Window);
   if (!program)
   {
@@ -171,17 +170,10 @@ bool vtkIndirectGlossySubsplats::ListFirst(const Work& work)
   program->SetUniformi("vtkiLightCount", lights);
   program->SetUniformi("vtkiSplitList", static_cast<int>(SplitList(last)));
   program->SetUniformi("vtkiSplitFirst", this->Lists.GetFirst(SplitList(last)));
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  const auto groups = [](int texels) { return static_cast<GLuint>((texels + 7) / 8); };
-  glDispatchCompute(groups(lobe.GetWidth()), groups(lobe.GetHeight()), 1);
+  this->First.Run(lobe.GetWidth(), lobe.GetHeight(), 8);
   this->Lists.Deactivate();
   lobe.Deactivate();
-  vtkIndirectGlossyLists::Wait();
   return true;
-#else
-  (void)work;
-  return false;
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +244,7 @@ bool vtkIndirectGlossySubsplats::Interpolate(
 {
   this->UpsamplePixels.SetDefinitions("#define VTKI_PIXELS\n");
   vtkIndirectFullScreenProgram& kernel = number == 0 ? this->UpsamplePixels : this->Upsample;
-  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window, target);
+  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -272,7 +264,6 @@ bool vtkIndirectGlossySubsplats::Interpolate(
 bool vtkIndirectGlossySubsplats::Evaluate(
   const Work& work, size_t number, vtkIndirectTarget& target, bool whole)
 {
-#ifdef GL_COMPUTE_SHADER
   vtkOpenGLRenderWindow* window = work.In.Frame.Window;
   const bool pixels = number == 0;
   const int count = work.Lights.GetNumberOfLights();
@@ -314,25 +305,15 @@ bool vtkIndirectGlossySubsplats::Evaluate(
     }
     work.Irradiance.Activate(0, program, "vtkiIrradiance");
   }
-  const GLenum format = this->HalfFloats ? GL_RGBA16F : GL_RGBA32F;
-  glBindImageTexture(0, target.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, format);
+  kernel.AddImages(target);
   program->SetUniformi("vtkiGlossyImage", 0);
-  // Waits for draws into the image, which llvmpipe does not do by itself.
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  this->Lists.Dispatch(list);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  vtkIndirectGlossyLists::Wait();
-  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, format);
+  kernel.Run(this->Lists.GetBuffer(), list);
   this->Lists.Deactivate();
   work.Irradiance.Deactivate();
   this->DeactivateLevel(work, number);
   work.In.Visibility.Deactivate();
   work.Lights.Deactivate();
   return true;
-#else
-  (void)work, (void)number, (void)target, (void)whole;
-  return false;
-#endif
 }
 
 //------------------------------------------------------------------------------

@@ -10,17 +10,6 @@
 /** The defaults are those of the preset ROBUST. */
 struct vtkIndirectSubsplatDetails
 {
-  enum RendererType
-  {
-    AUTOMATIC, // COMPUTE with OpenGL 4.3, the fastest in all measurements, else FRAGMENTS
-    POINTS,    // the paper's: a blended point for each subsplat and light; with 16-bit storage its
-               // sums round at every light
-    FRAGMENTS, // full-screen passes, one for each level
-    COMPUTE    // lists of split subsplats, four leaves at a time
-  };
-
-  // Method of summing lights. All have the same leaves and, but for rounding, the same result.
-  RendererType Renderer = AUTOMATIC;
   int CoarsestResolution = 64; // most texels along an edge of the coarsest level
   // Criterion that splits a subsplat and selects neighbours for interpolation: true is the paper's
   // test by min-max pyramids (DepthThreshold, and the range of each component of the normal against

@@ -80,7 +80,7 @@ bool vtkIndirectSubsplatIllumination::SharesLooks(const Work& work)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSubsplatIllumination::Define(const Work& work, Renderer renderer)
+void vtkIndirectSubsplatIllumination::Define(const Work& work)
 {
   const Settings& settings = work.Set;
   const std::string lights = work.Lights.GetDefinitions() + work.In.Visibility.GetDefinitions();
@@ -92,15 +92,15 @@ void vtkIndirectSubsplatIllumination::Define(const Work& work, Renderer renderer
   if (work.Number > 0)
   {
     this->SmoothTexels.SetDefinitions("#define VTKI_TEXELS\n");
-    this->OtherTexels.SetDefinitions(lights + (renderer == Fragments ? evaluate : ""));
+    this->OtherTexels.SetDefinitions(lights + (settings.HasCompute ? "" : evaluate));
     this->TexelBlocks[SharesLooks(work)].SetDefinitions(images);
     return;
   }
   this->SmoothPixels.SetDefinitions(
-    detail + (renderer == Fragments ? "" : "#define VTKI_BLOCKS_FOLLOW\n"));
+    detail + (settings.HasCompute ? "#define VTKI_BLOCKS_FOLLOW\n" : ""));
   // At half resolution pixels without a sample of their own are evaluated one by one.
   this->OtherPixels.SetDefinitions(
-    lights + detail + (renderer == Fragments || settings.HalfResolution ? evaluate : ""));
+    lights + detail + (settings.HasCompute && !settings.HalfResolution ? "" : evaluate));
   this->PixelBlocks[SharesLooks(work)].SetDefinitions(images + "#define VTKI_PIXELS\n" + detail);
 }
 
@@ -200,10 +200,9 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
 //------------------------------------------------------------------------------
 bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
 {
-#ifdef GL_COMPUTE_SHADER
-  const bool pixels = work.Number == 0;
-  vtkShaderProgram* program =
-    (pixels ? this->PixelBlocks : this->TexelBlocks)[SharesLooks(work)].Use(work.In.Frame.Window);
+  vtkIndirectComputeProgram& kernel =
+    (work.Number == 0 ? this->PixelBlocks : this->TexelBlocks)[SharesLooks(work)];
+  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -212,98 +211,38 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
   work.Lights.Activate(program);
   work.In.Visibility.Activate(work.In.Frame.Window, program);
   const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
-  static const char* const images[] = { "vtkiIrradianceImage", "vtkiVectorImage" };
-  const GLenum format = this->HalfFloats ? GL_RGBA16F : GL_RGBA32F;
-  const int count = pixels ? 1 : 2;
-  for (int i = 0; i < count; ++i)
+  kernel.AddImages(work.Target);
+  program->SetUniformi("vtkiIrradianceImage", 0);
+  if (work.Number > 0)
   {
-    glBindImageTexture(
-      i, work.Target.GetTexture(i)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, format);
-    program->SetUniformi(images[i], i);
+    program->SetUniformi("vtkiVectorImage", 1);
   }
   const vtkIndirectSubsplatList& lists = work.Pyramid.GetLists();
   lists.Activate(program, work.Number);
-  // Waits for draws into the images, which llvmpipe does not do by itself.
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  lists.Dispatch(work.Number);
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  kernel.Run(lists.GetBuffer(), work.Number);
   lists.Deactivate();
-  for (int i = 0; i < count; ++i)
-  {
-    glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, format);
-  }
   surface.Deactivate();
   work.In.Geometry.GetTarget().Deactivate();
   work.Lights.Deactivate();
   work.In.Visibility.Deactivate();
   return true;
-#else
-  (void)work;
-  return false;
-#endif
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSubsplatIllumination::SplatPoints(const Work& work)
+bool vtkIndirectSubsplatIllumination::Fill(const Work& work)
 {
-  vtkOpenGLRenderWindow* window = work.In.Frame.Window;
-  const vtkIndirectSubsplatList& lists = work.Pyramid.GetLists();
-  const int points = lists.Count(work.Number);
-  if (points == 0)
-  {
-    return true;
-  }
-  std::string definitions = work.Lights.GetDefinitions() + work.In.Visibility.GetDefinitions();
-  definitions += work.Number == 0 ? "#define VTKI_PIXELS\n" : "";
-  definitions += work.Set.SurfaceDetail > 0.0 ? "#define VTKI_SURFACE_DETAIL\n" : "";
-  vtkIndirectPointProgram& splats = work.Number == 0 ? this->PixelPoints : this->TexelPoints;
-  vtkShaderProgram* program = splats.Use(window, definitions);
-  if (!program)
-  {
-    return false;
-  }
-  vtkOpenGLState* state = window->GetState();
-  work.Target.Begin();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  this->SetUniforms(program, work);
-  work.Lights.Activate(program);
-  work.In.Visibility.Activate(work.In.Frame.Window, program);
-  const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
-  for (int child = 0; child < 4; ++child)
-  {
-    const int offset[2] = { child & 1, child >> 1 };
-    program->SetUniform2i("vtkiChild", offset);
-    splats.DrawInstances(program->FindAttributeArray("vtkiSplitTexel"), lists.GetBuffer(),
-      lists.GetOffset(work.Number), points, work.Lights.GetNumberOfLights());
-  }
-  surface.Deactivate();
-  work.In.Geometry.GetTarget().Deactivate();
-  work.Lights.Deactivate();
-  work.In.Visibility.Deactivate();
-  state->vtkglDisable(GL_BLEND);
-  work.Target.End();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectSubsplatIllumination::Fill(const Work& work, Renderer renderer)
-{
-  this->Define(work, renderer);
+  this->Define(work);
   if (!this->Interpolate(work))
   {
     return false;
   }
-  if (renderer == Fragments || (work.Number == 0 && work.Set.HalfResolution))
-  {
-    return true;
-  }
-  return renderer == Compute ? this->EvaluateBlocks(work) : this->SplatPoints(work);
+  return !work.Set.HasCompute || (work.Number == 0 && work.Set.HalfResolution) ||
+    this->EvaluateBlocks(work);
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSubsplatIllumination::FillLevels(const Input& input, const Settings& settings,
-  Renderer renderer, vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights)
+  vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights)
 {
   // The last level has no leaves.
   this->Levels.back()->Begin();
@@ -312,18 +251,16 @@ bool vtkIndirectSubsplatIllumination::FillLevels(const Input& input, const Setti
   bool done = true;
   for (size_t number = this->Levels.size() - 1; done && number > 0; --number)
   {
-    done =
-      this->Fill({ input, settings, pyramid, lights, *this->Levels[number - 1], number }, renderer);
+    done = this->Fill({ input, settings, pyramid, lights, *this->Levels[number - 1], number });
   }
   return done;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSubsplatIllumination::FillPixels(const Input& input, const Settings& settings,
-  Renderer renderer, vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights,
-  vtkIndirectTarget& pixels)
+  vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights, vtkIndirectTarget& pixels)
 {
-  return this->Fill({ input, settings, pyramid, lights, pixels, 0 }, renderer);
+  return this->Fill({ input, settings, pyramid, lights, pixels, 0 });
 }
 
 //------------------------------------------------------------------------------
@@ -345,8 +282,6 @@ void vtkIndirectSubsplatIllumination::Release(vtkWindow* window)
     level->Release(window);
   }
   this->Levels.clear();
-  this->TexelPoints.Release();
-  this->PixelPoints.Release();
   for (vtkIndirectFullScreenProgram* kernel :
     { &this->SmoothTexels, &this->OtherTexels, &this->SmoothPixels, &this->OtherPixels })
   {

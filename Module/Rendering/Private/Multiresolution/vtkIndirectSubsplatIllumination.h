@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Illuminates the subsplats of a pyramid and interpolates from them down to pixels. Nichols and
-// Wyman 2009, "Multiresolution splatting for indirect illumination", sections 3.4 and 3.5.
+// Wyman 2009, "Multiresolution splatting for indirect illumination", sections 3.4 and 3.5. Compute
+// shaders sum lights for lists of split texels, four leaves an invocation; without compute shaders
+// full-screen passes, one for each level, sum the lights of their leaves.
 #ifndef vtkIndirectSubsplatIllumination_h
 #define vtkIndirectSubsplatIllumination_h
 
 #include "Multiresolution/vtkIndirectSubsplatPyramid.h" // for the pyramid
 #include "OpenGL/vtkIndirectComputeProgram.h"           // for members
-#include "OpenGL/vtkIndirectPointProgram.h"             // for members
 
 class vtkIndirectSubsplatIllumination
 {
 public:
-  enum Renderer
-  {
-    Points,    // a blended point for each leaf and light
-    Fragments, // full-screen passes whose leaves sum over the lights
-    Compute    // compute invocations for lists of split texels, four leaves each
-  };
-
   using Input = vtkIndirectEstimateInput;
   using Settings = vtkIndirectSubsplatSettings;
 
@@ -26,11 +20,11 @@ public:
     const vtkIndirectTarget& pixels, bool halfFloats);
 
   /** Illuminates all levels but pixels, coarse to fine. */
-  bool FillLevels(const Input& input, const Settings& settings, Renderer renderer,
-    vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights);
+  bool FillLevels(const Input& input, const Settings& settings, vtkIndirectSubsplatPyramid& pyramid,
+    vtkIndirectLightBlock& lights);
   /** Fills the image from these levels. */
-  bool FillPixels(const Input& input, const Settings& settings, Renderer renderer,
-    vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights, vtkIndirectTarget& pixels);
+  bool FillPixels(const Input& input, const Settings& settings, vtkIndirectSubsplatPyramid& pyramid,
+    vtkIndirectLightBlock& lights, vtkIndirectTarget& pixels);
 
   /** Irradiance, vector irradiance and their states at level `number`, from 1 on. */
   const vtkIndirectTarget& GetLevel(size_t number) const { return *this->Levels[number - 1]; }
@@ -52,11 +46,10 @@ private:
   // True if neighbouring leaves share shadow look-ups: in moving frames, where look-ups take half
   // of the time and a shadow's border may be off by a leaf.
   static bool SharesLooks(const Work& work);
-  void Define(const Work& work, Renderer renderer);
-  bool Fill(const Work& work, Renderer renderer);
+  void Define(const Work& work);
+  bool Fill(const Work& work);
   bool Interpolate(const Work& work);
   bool EvaluateBlocks(const Work& work);
-  bool SplatPoints(const Work& work);
   void SetUniforms(vtkShaderProgram* program, const Work& work) const;
   const vtkIndirectTarget& ActivateSurface(vtkShaderProgram* program, const Work& work) const;
 
@@ -66,10 +59,6 @@ private:
   vtkIndirectFullScreenProgram OtherTexels{ "vtkIndirectSubsplatLevelFS.glsl" };
   vtkIndirectFullScreenProgram SmoothPixels{ "vtkIndirectSubsplatSmoothFS.glsl" };
   vtkIndirectFullScreenProgram OtherPixels{ "vtkIndirectSubsplatPixelFS.glsl" };
-  vtkIndirectPointProgram TexelPoints{ "vtkIndirectSubsplatPointVS.glsl",
-    "vtkIndirectSubsplatPointFS.glsl" };
-  vtkIndirectPointProgram PixelPoints{ "vtkIndirectSubsplatPointVS.glsl",
-    "vtkIndirectSubsplatPointFS.glsl" };
   // For still frames, and for frames with shared look-ups.
   vtkIndirectComputeProgram TexelBlocks[2] = { vtkIndirectComputeProgram(
                                                  "vtkIndirectSubsplatBlockCS.glsl"),

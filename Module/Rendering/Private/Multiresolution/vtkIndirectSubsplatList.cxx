@@ -40,21 +40,6 @@ void vtkIndirectSubsplatList::End()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSubsplatList::Fill(
-  vtkOpenGLRenderWindow* window, const std::vector<std::vector<unsigned int>>& lists)
-{
-  std::vector<unsigned int> words(MaximumLists * 4, 0);
-  this->First.clear();
-  for (size_t i = 0; i < lists.size(); ++i)
-  {
-    this->First.push_back(static_cast<unsigned int>(words.size() - MaximumLists * 4));
-    words[4 * i + 3] = static_cast<unsigned int>(lists[i].size());
-    words.insert(words.end(), lists[i].begin(), lists[i].end());
-  }
-  this->Buffer.Fill(window, words.data(), words.size());
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSubsplatList::Activate(vtkShaderProgram* program, size_t list) const
 {
   this->Buffer.Activate(program, "vtkiSubsplatLists");

@@ -22,21 +22,16 @@ public:
 
   /** Follows the last program that appends: makes the lists visible to programs that read them. */
   void End();
-  /** Replaces all lists if shaders cannot append to them. */
-  void Fill(vtkOpenGLRenderWindow* window, const std::vector<std::vector<unsigned int>>& lists);
 
   /** Binds the buffer to a program that appends to, or reads, one of the lists. */
   void Activate(vtkShaderProgram* program, size_t list) const;
   void Deactivate() const { this->Buffer.Deactivate(); }
 
-  /** One invocation for each entry, rounded up to groups; the program must be current. */
-  void Dispatch(size_t list) const { this->Buffer.Dispatch(list); }
+  /** The lists, for programs that run for their entries. */
+  const vtkIndirectCommandBuffer& GetBuffer() const { return this->Buffer; }
 
   /** Entries in a list. Waits for the GPU. */
   int Count(size_t list) const { return static_cast<int>(this->Buffer.Count(list)); }
-  /** The buffer, and the begin of a list's entries in it. */
-  unsigned int GetBuffer() const { return this->Buffer.GetHandle(); }
-  size_t GetOffset(size_t list) const { return this->Buffer.GetOffset(this->First[list]); }
 
   size_t GetBytes() const { return this->Buffer.GetBytes(); }
   /** The buffer's context must be current. */

@@ -112,7 +112,7 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
   {
     vtkIndirectFullScreenProgram& kernel = probe ? this->ProbeLights : this->MeasureVariation;
     vtkIndirectTarget& target = probe ? *this->Probe : *this->Variation;
-    vtkShaderProgram* program = kernel.Use(frame.Window, target);
+    vtkShaderProgram* program = kernel.Use(frame.Window);
     if (!program)
     {
       return false;
@@ -154,7 +154,7 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
   const bool first = number == 1;
   vtkIndirectFullScreenProgram& kernel = first ? this->BuildFinest : this->BuildCoarser;
   vtkIndirectTarget& level = *this->Levels[number - 1];
-  vtkShaderProgram* program = kernel.Use(frame.Window, level);
+  vtkShaderProgram* program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -244,26 +244,6 @@ bool vtkIndirectSubsplatPyramid::Build(
     this->Lists.End();
   }
   return done;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSubsplatPyramid::FillLists(vtkOpenGLRenderWindow* window)
-{
-  std::vector<std::vector<unsigned int>> lists;
-  for (const auto& level : this->Levels)
-  {
-    lists.emplace_back();
-    const std::vector<float> values = level->ReadBack(0);
-    for (unsigned int i = 0; i < values.size() / 4; ++i)
-    {
-      if (vtkIndirectKernels::vtkiSubsplatIsSplit(values[4 * i + 3]))
-      {
-        const unsigned int width = static_cast<unsigned int>(level->GetWidth());
-        lists.back().push_back(i % width | (i / width) << 16);
-      }
-    }
-  }
-  this->Lists.Fill(window, lists);
 }
 
 //------------------------------------------------------------------------------

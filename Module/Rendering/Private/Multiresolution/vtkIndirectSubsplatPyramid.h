@@ -27,7 +27,7 @@ struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
   double NormalThreshold = 0.0;
   double SurfaceDetail = 0.0;
   double StorageScale = 1.0;
-  bool HasCompute = false; // OpenGL 4.3: lists on the GPU
+  bool HasCompute = false; // compute shaders sum lights by lists of split texels
   bool ReportsError = false;
 };
 
@@ -47,9 +47,6 @@ public:
   const vtkIndirectTarget& GetSurface(size_t number) const { return *this->Levels[number - 1]; }
   /** List i: the split texels of level i + 1. */
   vtkIndirectSubsplatList& GetLists() { return this->Lists; }
-
-  /** Makes the lists on the CPU if OpenGL has no storage buffers; reads back. */
-  void FillLists(vtkOpenGLRenderWindow* window);
 
   /**
    * Sampling error of the lights, estimated from the two halves of them at the probes: RMS(A - B) /

@@ -121,23 +121,11 @@ double vtkIndirectSubsplatSum::FindErrorTolerance(double asked) const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSubsplatSum::MakeSettings(
-  const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer)
+vtkIndirectSubsplatSettings vtkIndirectSubsplatSum::MakeSettings(const Input& input) const
 {
-  using Chosen = vtkIndirectSubsplatDetails;
-  const Chosen& details = *this->Set.Details;
-  const bool hasCompute = vtkIndirectComputeProgram::IsSupported();
-  if (details.Renderer == Chosen::COMPUTE && !hasCompute)
-  {
-    vtkErrorWithObjectMacro(
-      &this->Pass, "Sums of compute shaders need OpenGL 4.3; this context is older.");
-    return false;
-  }
-  renderer = details.Renderer == Chosen::POINTS ? vtkIndirectSubsplatIllumination::Points
-    : hasCompute && details.Renderer != Chosen::FRAGMENTS
-    ? vtkIndirectSubsplatIllumination::Compute
-    : vtkIndirectSubsplatIllumination::Fragments;
-  static_cast<Chosen&>(settings) = details;
+  const vtkIndirectSubsplatDetails& details = *this->Set.Details;
+  vtkIndirectSubsplatSettings settings;
+  static_cast<vtkIndirectSubsplatDetails&>(settings) = details;
   settings.HalfResolution =
     this->Set.Settings.FinestLevel == vtkMultiresolutionSplattingPass::HALF_RESOLUTION;
   settings.SurfaceDetail = this->Set.Settings.SurfaceDetail;
@@ -151,9 +139,9 @@ bool vtkIndirectSubsplatSum::MakeSettings(
     vtkMultiresolutionSplattingPass::Threshold{ details.GlossyThreshold, 1.0 }.Scale(
       input.Plan.ErrorTolerance);
   settings.StorageScale = settings.HalfFloats ? 1.0 / input.Plan.IrradianceUnit : 1.0;
-  settings.HasCompute = hasCompute && renderer != vtkIndirectSubsplatIllumination::Fragments;
+  settings.HasCompute = vtkIndirectComputeProgram::IsSupported();
   settings.ReportsError = tolerance > 0.0;
-  return true;
+  return settings;
 }
 
 //------------------------------------------------------------------------------
@@ -161,12 +149,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   vtkOpenGLRenderWindow* window = frame.Window;
-  vtkIndirectSubsplatSettings settings;
-  int renderer = 0;
-  if (!this->MakeSettings(input, settings, renderer))
-  {
-    return {};
-  }
+  const vtkIndirectSubsplatSettings settings = this->MakeSettings(input);
   this->SetIrradianceStorage(window, settings.HalfFloats, 1.0 / settings.StorageScale, true);
   if (!this->Irradiance->Resize(window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input) || !this->Pyramid.Resize(window, frame.Size, settings) ||
@@ -188,13 +171,13 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   bool done = false;
   if (batches)
   {
-    done = this->FillInBatches(input, settings, renderer);
+    done = this->FillInBatches(input, settings);
   }
   else
   {
     this->Batch.reset();
     this->Lights.Update(window, *input.Lights);
-    done = this->Fill(input, settings, renderer, *this->Irradiance);
+    done = this->Fill(input, settings, *this->Irradiance);
   }
   if (this->HasGlossy)
   {
@@ -217,8 +200,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
     input.Timer.End(vtkIndirectStageTimer::Upsample);
   }
 
-  static const char* const renderers[] = { "points", "fragments", "compute" };
-  this->Renderer = renderers[renderer];
+  this->Renderer = settings.HasCompute ? "compute" : "fragments";
   this->Tolerance = input.Plan.EstimatorErrorTolerance;
   this->SamplingError = -1.0;
   this->Evaluations = -1;
@@ -241,21 +223,16 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSubsplatSum::Fill(const Input& input, const vtkIndirectSubsplatSettings& settings,
-  int renderer, vtkIndirectTarget& pixels)
+bool vtkIndirectSubsplatSum::Fill(
+  const Input& input, const vtkIndirectSubsplatSettings& settings, vtkIndirectTarget& pixels)
 {
-  const auto way = static_cast<vtkIndirectSubsplatIllumination::Renderer>(renderer);
   input.Timer.Begin(vtkIndirectStageTimer::Estimate);
   bool done = this->Pyramid.Build(input, settings, this->Lights);
-  if (done && way == vtkIndirectSubsplatIllumination::Points && !settings.HasCompute)
-  {
-    this->Pyramid.FillLists(input.Frame.Window);
-  }
-  done = done && this->Illumination.FillLevels(input, settings, way, this->Pyramid, this->Lights);
+  done = done && this->Illumination.FillLevels(input, settings, this->Pyramid, this->Lights);
   input.Timer.End(vtkIndirectStageTimer::Estimate);
   input.Timer.Begin(vtkIndirectStageTimer::Upsample);
-  done = done &&
-    this->Illumination.FillPixels(input, settings, way, this->Pyramid, this->Lights, pixels);
+  done =
+    done && this->Illumination.FillPixels(input, settings, this->Pyramid, this->Lights, pixels);
   input.Timer.End(vtkIndirectStageTimer::Upsample);
   return done;
 }
@@ -264,7 +241,7 @@ bool vtkIndirectSubsplatSum::Fill(const Input& input, const vtkIndirectSubsplatS
 // Some drivers end a shader's loops before it has looked for so many lights from one place. Light
 // adds up: each batch of them has subsplats of its own, and their images are summed.
 bool vtkIndirectSubsplatSum::FillInBatches(
-  const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer)
+  const Input& input, const vtkIndirectSubsplatSettings& settings)
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   vtkOpenGLState* state = window->GetState();
@@ -285,7 +262,7 @@ bool vtkIndirectSubsplatSum::FillInBatches(
     this->Lights.Update(
       window, *input.Lights, first, std::min(batch, this->NumberOfLights - first));
     const bool only = first == 0;
-    if (!this->Fill(input, settings, renderer, only ? *this->Irradiance : *this->Batch))
+    if (!this->Fill(input, settings, only ? *this->Irradiance : *this->Batch))
     {
       return false;
     }
@@ -320,12 +297,11 @@ bool vtkIndirectSubsplatSum::FillGlossy(
   this->WhyGlossyIsGathered.clear();
   if (this->HasGlossy)
   {
-    if (!vtkIndirectComputeProgram::IsSupported())
+    if (!settings.HasCompute)
     {
-      this->WhyGlossyIsGathered = "this context has no OpenGL 4.3";
+      this->WhyGlossyIsGathered = "lists need compute shaders, OpenGL 4.3";
     }
-    else if (settings.Renderer == vtkIndirectSubsplatDetails::FRAGMENTS ||
-      settings.GlossyThreshold == 0.0)
+    else if (settings.GlossyThreshold == 0.0)
     {
       this->WhyGlossyIsGathered = "lists are off";
     }

@@ -38,10 +38,10 @@ private:
   double FindErrorTolerance(double asked) const;
   /** Names of the thresholds that the irradiance's subsplats obey and that the user has set. */
   std::vector<std::string> FindOwnThresholds() const;
-  bool MakeSettings(const Input& input, vtkIndirectSubsplatSettings& settings, int& renderer);
-  bool Fill(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer,
-    vtkIndirectTarget& pixels);
-  bool FillInBatches(const Input& input, const vtkIndirectSubsplatSettings& settings, int renderer);
+  vtkIndirectSubsplatSettings MakeSettings(const Input& input) const;
+  bool Fill(
+    const Input& input, const vtkIndirectSubsplatSettings& settings, vtkIndirectTarget& pixels);
+  bool FillInBatches(const Input& input, const vtkIndirectSubsplatSettings& settings);
   bool FillGlossy(const Input& input, const vtkIndirectSubsplatSettings& settings);
 
   const vtkMultiresolutionSplattingPass& Set;

@@ -3,7 +3,6 @@
 
 #include "OpenGL/vtkIndirectBackEndChoices.h"
 
-#include "OpenGL/vtkIndirectComputeProgram.h"
 #include "vtkObject.h" // for the error macro
 
 #include <array>
@@ -29,10 +28,10 @@ struct Entry
 
 // In the order of Choice.
 const std::array<Entry, NumberOfChoices> Entries{ {
-  // Software clears float textures pixel by pixel, which takes longer than drawing over them. Not
-  // measured on a GPU, where clears are fast, but an opaque frame clears only undrawn pixels.
-  { "clear", { "draw", "gl" }, "the geometry buffer is emptied by a drawn quad or by glClear",
-    ClearByDraw, ClearByDraw, { false, false } },
+  // Compute shaders sum splats in registers, in a fixed order, where blending reads and writes 16
+  // bytes of each pixel for each splat, and list split texels of multiresolution splatting.
+  { "compute", { "on", "off" }, "estimators sum by compute shaders or by drawing", ComputeOn,
+    ComputeOn, { true, false } },
   // A copy takes fewer operations a pixel than a test and a write. Not measured on a GPU.
   { "depth", { "copy", "draw" },
     "depth is copied to the frame where formats allow it or drawn by the composite", DepthByCopy,
@@ -43,16 +42,6 @@ const std::array<Entry, NumberOfChoices> Entries{ {
   { "grouping", { "two", "four" },
     "split texels that one invocation of multiresolution splatting sums lights for", GroupingOfFour,
     GroupingOfTwo, { true, true } },
-  // Equally fast on the processor. Not measured on a GPU, where fragment shaders may run on fewer
-  // of its multiprocessors than compute shaders.
-  { "kernels", { "fragment", "compute" },
-    "full-screen kernels that write all of a target are fragment or compute shaders",
-    KernelsFragment, KernelsFragment, { false, true } },
-  // Tiles sum lights in registers, in a fixed order; blending reads and writes 16 bytes of each
-  // pixel for each splat.
-  { "splats", { "blend", "tiles" },
-    "splats of virtual lights are drawn and blended, or summed by compute shaders in tiles",
-    SplatsInTiles, SplatsInTiles, { false, true } },
   // See vtkIndirectFlatUniforms.h: a GPU reads a uniform once for all pixels.
   { "uniforms", { "plain", "flat" },
     "fragment shaders read uniforms or get them as flat varyings, mappers' where there are pixels "
@@ -66,9 +55,21 @@ bool RunsOnProcessor()
   return name && (std::strstr(name, "llvmpipe") || std::strstr(name, "softpipe"));
 }
 
+bool HasComputeShaders()
+{
+#ifdef GL_COMPUTE_SHADER
+  int version[2] = { 0, 0 };
+  glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
+  glGetIntegerv(GL_MINOR_VERSION, &version[1]);
+  return version[0] > 4 || (version[0] == 4 && version[1] >= 3);
+#else
+  return false;
+#endif
+}
+
 bool CanDo(int choice, int value)
 {
-  return !Entries[choice].NeedsCompute[value] || vtkIndirectComputeProgram::IsSupported();
+  return !Entries[choice].NeedsCompute[value] || HasComputeShaders();
 }
 
 int GetDefault(int choice)

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Choices between equivalent implementations, whose speed depends on the OpenGL. Each has a default
-// for the current OpenGL, and can be forced by its name in the environment for comparisons on any
-// card: VTK_INDIRECT_PATHS="clear=gl,uniforms=plain".
-//
-// Choices that users make by a property (multiresolution's Renderer and Storage) are not included.
+// Choices between equivalent implementations, which depend on the OpenGL. Each choice has a default
+// for the current OpenGL, and the environment can force a value by its name, for comparisons on any
+// card: VTK_INDIRECT_PATHS="compute=off,uniforms=plain".
 #ifndef vtkIndirectBackEndChoices_h
 #define vtkIndirectBackEndChoices_h
 
@@ -15,20 +13,18 @@ namespace vtkIndirectBackEndChoices
 {
 enum Choice
 {
-  Clear,    // clearing of the geometry buffer's colours
+  Compute,  // use of compute shaders
   Depth,    // transfer of depth to the frame's target framebuffer
   Grouping, // split texels in one invocation of multiresolution splatting
-  Kernels,  // stage of full-screen kernels that write all of a target without tests
-  Splats,   // summation of virtual lights' splats
   Uniforms, // form of fragment shaders' uniforms
   NumberOfChoices
 };
 
 // Values of each, in the order of their names in vtkIndirectBackEndChoices.cxx.
-enum ClearValue
+enum ComputeValue
 {
-  ClearByDraw,
-  ClearByGL
+  ComputeOn,
+  ComputeOff
 };
 enum DepthValue
 {
@@ -39,16 +35,6 @@ enum GroupingValue
 {
   GroupingOfTwo,
   GroupingOfFour
-};
-enum KernelsValue
-{
-  KernelsFragment,
-  KernelsCompute
-};
-enum SplatsValue
-{
-  SplatsBlended,
-  SplatsInTiles
 };
 enum UniformsValue
 {

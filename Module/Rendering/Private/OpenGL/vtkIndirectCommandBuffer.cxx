@@ -27,16 +27,6 @@ vtkIndirectCommandBuffer::~vtkIndirectCommandBuffer()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCommandBuffer::Create(vtkOpenGLRenderWindow* window)
-{
-  if (this->Handle == 0)
-  {
-    this->Window = window;
-    glGenBuffers(1, &this->Handle);
-  }
-}
-
-//------------------------------------------------------------------------------
 size_t vtkIndirectCommandBuffer::GetBytes(size_t lists, size_t words)
 {
   return lists * sizeof(Command) + words * sizeof(unsigned int);
@@ -59,7 +49,11 @@ void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words
 {
 #ifdef GL_SHADER_STORAGE_BUFFER
   const size_t bytes = GetBytes(this->NumberOfLists, words);
-  this->Create(window);
+  if (this->Handle == 0)
+  {
+    this->Window = window;
+    glGenBuffers(1, &this->Handle);
+  }
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, this->Handle);
   if (bytes != this->Bytes)
   {
@@ -72,17 +66,6 @@ void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words
 #else
   (void)window, (void)words;
 #endif
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectCommandBuffer::Fill(
-  vtkOpenGLRenderWindow* window, const unsigned int* words, size_t count)
-{
-  this->Create(window);
-  this->Bytes = count * sizeof(unsigned int);
-  glBindBuffer(GL_ARRAY_BUFFER, this->Handle);
-  glBufferData(GL_ARRAY_BUFFER, this->Bytes, words, GL_DYNAMIC_DRAW);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
 //------------------------------------------------------------------------------

@@ -23,8 +23,6 @@ public:
 
   /** Empties the lists; words: space for the entries of all lists. */
   void Begin(vtkOpenGLRenderWindow* window, size_t words);
-  /** Replaces the whole buffer if shaders cannot write it; words begin with the commands. */
-  void Fill(vtkOpenGLRenderWindow* window, const unsigned int* words, size_t count);
 
   /** Binds the buffer to a program's storage block of that name. */
   void Activate(vtkShaderProgram* program, const char* block) const;
@@ -39,7 +37,6 @@ public:
    * current. */
   void Read(size_t first, size_t count, unsigned int* words) const;
 
-  unsigned int GetHandle() const { return this->Handle; }
   /** Offset of a word of the entries in the buffer. */
   size_t GetOffset(size_t word) const;
   /** Null without a buffer. */
@@ -51,8 +48,6 @@ public:
   void Release();
 
 private:
-  void Create(vtkOpenGLRenderWindow* window);
-
   size_t NumberOfLists;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // window of the buffer's context
   unsigned int Handle = 0;

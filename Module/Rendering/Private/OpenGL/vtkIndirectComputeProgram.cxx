@@ -3,7 +3,10 @@
 
 #include "OpenGL/vtkIndirectComputeProgram.h"
 
+#include "OpenGL/vtkIndirectBackEndChoices.h"
+#include "OpenGL/vtkIndirectCommandBuffer.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "OpenGL/vtkIndirectTarget.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -98,14 +101,8 @@ vtkIndirectComputeProgram::~vtkIndirectComputeProgram() = default;
 //------------------------------------------------------------------------------
 bool vtkIndirectComputeProgram::IsSupported()
 {
-#ifdef GL_COMPUTE_SHADER
-  int version[2] = { 0, 0 };
-  glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
-  glGetIntegerv(GL_MINOR_VERSION, &version[1]);
-  return version[0] > 4 || (version[0] == 4 && version[1] >= 3);
-#else
-  return false;
-#endif
+  return vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Compute) ==
+    vtkIndirectBackEndChoices::ComputeOn;
 }
 
 //------------------------------------------------------------------------------
@@ -119,22 +116,11 @@ void vtkIndirectComputeProgram::SetDefinitions(const std::string& definitions)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectComputeProgram::SetText(const std::string& text)
-{
-  if (text != this->Text)
-  {
-    this->Text = text;
-    this->Release(nullptr);
-  }
-}
-
-//------------------------------------------------------------------------------
 vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Built)
   {
-    std::string text =
-      this->Stage.empty() ? this->Text : vtkIndirectShaderLibrary::GetText(this->Stage);
+    std::string text = vtkIndirectShaderLibrary::GetText(this->Stage);
     // VTK puts the version of other stages into the first line.
     text.replace(0, text.find('\n') + 1, "#version 430\n" + this->Definitions);
     auto built = vtkSmartPointer<Program>::New();
@@ -148,6 +134,69 @@ vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
   window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(static_cast<GLuint>(this->Built->GetHandle()));
   return this->Built;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::AddImages(const vtkIndirectTarget& target, int unit)
+{
+#ifdef GL_COMPUTE_SHADER
+  for (int i = 0; i < target.GetNumberOfChannels(); ++i)
+  {
+    this->Units.push_back(static_cast<GLuint>(unit + i));
+    glBindImageTexture(this->Units.back(), target.GetTexture(i)->GetHandle(), 0, GL_FALSE, 0,
+      GL_READ_WRITE, target.GetInternalFormat(i));
+  }
+#else
+  (void)target, (void)unit;
+#endif
+}
+
+//------------------------------------------------------------------------------
+// llvmpipe does not wait for draws into a kernel's inputs by itself.
+void vtkIndirectComputeProgram::Begin()
+{
+#ifdef GL_COMPUTE_SHADER
+  glMemoryBarrier(
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+#endif
+}
+
+//------------------------------------------------------------------------------
+// The next user of an image may sample the image, draw over it, add to it, read it back or replace
+// it; the next user of a list may append, read or dispatch.
+void vtkIndirectComputeProgram::End()
+{
+#ifdef GL_COMPUTE_SHADER
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  for (const unsigned int unit : this->Units)
+  {
+    glBindImageTexture(unit, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  }
+#endif
+  this->Units.clear();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::Run(int width, int height, int groupSize)
+{
+  Begin();
+#ifdef GL_COMPUTE_SHADER
+  glDispatchCompute(static_cast<GLuint>((width + groupSize - 1) / groupSize),
+    static_cast<GLuint>((height + groupSize - 1) / groupSize), 1);
+#else
+  (void)width, (void)height, (void)groupSize;
+#endif
+  this->End();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectComputeProgram::Run(const vtkIndirectCommandBuffer& lists, size_t list)
+{
+  Begin();
+  lists.Dispatch(list);
+  this->End();
 }
 
 //------------------------------------------------------------------------------

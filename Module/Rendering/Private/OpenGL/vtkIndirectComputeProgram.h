@@ -6,8 +6,12 @@
 
 #include "vtkSmartPointer.h" // for the program
 
-#include <string> // for names
+#include <cstddef> // for size_t
+#include <string>  // for names
+#include <vector>  // for units
 
+class vtkIndirectCommandBuffer;
+class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
@@ -15,31 +19,44 @@ class vtkWindow;
 class vtkIndirectComputeProgram
 {
 public:
-  /** stage: file in glsl/stage, or empty if SetText sets another text. */
+  /** stage: the name of a file in glsl. */
   explicit vtkIndirectComputeProgram(const char* stage);
   ~vtkIndirectComputeProgram();
 
-  /** True if the current context has compute shaders and storage buffers: OpenGL 4.3. */
+  /** True if the current context has compute shaders and storage buffers, OpenGL 4.3, and
+   * vtkIndirectBackEndChoices does not switch them off. */
   static bool IsSupported();
 
   /** Sets the first lines of the text, such as macros; a change rebuilds the program. */
   void SetDefinitions(const std::string& definitions);
 
-  /** Sets a text in place of the stage's, whose first line is ignored; a change rebuilds the
-   * program. */
-  void SetText(const std::string& text);
-
   /** Makes the program current. Returns nullptr, after an error, if it does not compile. */
   vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
+
+  /** Binds all channels of a target as images, from that unit on, for the next Run. */
+  void AddImages(const vtkIndirectTarget& target, int unit = 0);
+
+  ///@{
+  /**
+   * Runs the current program, after draws into its images and inputs and before the next use of its
+   * results, and unbinds images: in groups of groupSize x groupSize invocations, which cover a
+   * width and a height, or for the entries of a list.
+   */
+  void Run(int width, int height, int groupSize);
+  void Run(const vtkIndirectCommandBuffer& lists, size_t list);
+  ///@}
 
   void Release(vtkWindow* window);
 
 private:
   class Program;
+  static void Begin();
+  void End();
+
   std::string Stage;
-  std::string Text;
   std::string Definitions;
   vtkSmartPointer<Program> Built;
+  std::vector<unsigned int> Units; // units of images that are bound
 };
 
 #endif

@@ -68,20 +68,6 @@ void vtkIndirectPointProgram::DrawRectangle()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPointProgram::DrawInstances(
-  int attribute, unsigned int buffer, size_t offset, int count, int instances)
-{
-  glBindVertexArray(this->VertexArray);
-  glBindBuffer(GL_ARRAY_BUFFER, buffer);
-  glEnableVertexAttribArray(attribute);
-  glVertexAttribIPointer(attribute, 1, GL_UNSIGNED_INT, 0, reinterpret_cast<const void*>(offset));
-  glDrawArraysInstanced(GL_POINTS, 0, count, instances);
-  glDisableVertexAttribArray(attribute);
-  glBindBuffer(GL_ARRAY_BUFFER, 0);
-  glBindVertexArray(0);
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectPointProgram::Release()
 {
   if (this->VertexArray)

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that draws points which its vertex shader makes from their numbers, or from one integer
-// each; or a rectangle of four.
+// A program that draws points, or a rectangle of four, which its vertex shader makes from their
+// numbers.
 #ifndef vtkIndirectPointProgram_h
 #define vtkIndirectPointProgram_h
 
 #include "vtkOpenGLRenderWindow.h" // for the weak pointer
 #include "vtkWeakPointer.h"        // for the context
 
-#include <cstddef> // for size_t
-#include <string>  // for names
+#include <string> // for names
 
 class vtkShaderProgram;
 
@@ -32,12 +31,6 @@ public:
 
   /** Draws the rectangle of corners 0 to 3, corners 2 and 3 beside 0 and 1. */
   void DrawRectangle();
-
-  /**
-   * Draws points of one pixel, each in `instances` instances; an unsigned integer of each, from a
-   * buffer at that offset, goes to the vertex shader's attribute.
-   */
-  void DrawInstances(int attribute, unsigned int buffer, size_t offset, int count, int instances);
 
   void Release();
 

@@ -148,10 +148,10 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   this->BackEndChoices = vtkIndirectBackEndChoices::GetAll();
   this->DepthMaps.Begin(this->Frame, request.Settings.Caching);
   this->Capture->SetDelegatePass(request.Delegate);
-  this->Capture->SetShadows(this->Plan.Shadows);
-  this->Capture->SetSpecular(this->Plan.SurfacesAreSpecular || this->Plan.SenderLobes);
+  this->Capture->SetOutputs(
+    { this->Plan.Shadows, this->Plan.SurfacesAreSpecular || this->Plan.SenderLobes,
+      this->Plan.AreaSpecular && this->Frame.PhysicallyBased });
   this->Maps.SetSpecular(this->Plan.SenderLobes);
-  this->Capture->SetSpecularOfPBR(this->Plan.AreaSpecular && this->Frame.PhysicallyBased);
   this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);
   const vtkIndirectDarkLight dark(this->Frame);

@@ -94,6 +94,13 @@ public:
   /** Copies a channel of the last frame. Returns the reason if it cannot, or an empty string. */
   std::string CopyChannel(const std::string& name, vtkImageData* image);
 
+  /**
+   * Adds the pass's settings: the values that are set, or, with the plan of the last frame, the
+   * values in force.
+   */
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectSettings& settings,
+    const vtkIndirectPlan* plan) const;
+
   /** Adds what the last frame modelled and left out, its sizes and its counters to the report. */
   void AddToReport(vtkIndirectReport& report) const;
   void Release(vtkWindow* window);

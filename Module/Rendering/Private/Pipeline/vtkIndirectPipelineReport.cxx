@@ -8,6 +8,7 @@
 #include "Gather/vtkIndirectSum.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "Pipeline/vtkIndirectLighting.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -20,6 +21,32 @@
 namespace
 {
 const char* const WhyItWaits = "MapsFirst: its depth maps are not all there yet";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPipeline::AddSettings(vtkIndirectSettingList& list,
+  const vtkIndirectSettings& settings, const vtkIndirectPlan* plan) const
+{
+  using Choice = vtkIndirectSettingList::Choice;
+  static const char* const visibilities[] = { "Auto", "None", "Voxels", "Maps" };
+  const bool maps = plan && plan->Senders == vtkIndirectPlan::MAPS;
+  const int lighting = plan && settings.IndirectScale == 0.0
+    ? static_cast<int>(vtkIndirectLightingScene)
+    : settings.Lighting;
+  list.Add("Lighting", Choice{ vtkIndirectLighting::GetTitle(lighting) })
+    .Add("Visibility", Choice{ visibilities[plan ? plan->Visibility : settings.Visibility] })
+    .Add("Shadows", settings.Shadows)
+    .Add("Antialiasing", plan ? plan->Antialiasing : settings.Antialiasing)
+    .Add("ReflectiveShadowMapResolution",
+      maps ? this->Maps.GetTexels() : this->MapsPass->GetResolution())
+    .Add("NumberOfBounces", plan ? plan->LastBounce : settings.NumberOfBounces)
+    .Add("IndirectScale", settings.IndirectScale)
+    .Add("ErrorTolerance", plan ? plan->EstimatorErrorTolerance : settings.ErrorTolerance)
+    .Add("Caching", settings.Caching)
+    .Add("MapsFirst", plan ? plan->WaitsForMaps : settings.MapsFirst)
+    .Add("SpheresInMotion", settings.SpheresInMotion)
+    .Add("RemainingGeometry", settings.RemainingGeometry)
+    .Add("Timing", this->Timer.Enabled);
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,6 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectUniforms.h"
@@ -60,13 +59,6 @@ vtkIndirectProxySums::vtkIndirectProxySums()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxySums::UsesTiles()
-{
-  return vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Splats) ==
-    vtkIndirectBackEndChoices::SplatsInTiles;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectProxySums::Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
   const std::vector<vtkIndirectProxyPolygon>& polygons)
 {
@@ -101,14 +93,14 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   {
     return false;
   }
-  if (UsesTiles())
+  if (vtkIndirectComputeProgram::IsSupported())
   {
     if (!this->SumInTiles(input, "#define VTKI_PROXY_SENDERS\n", this->SenderLight, SENDERS))
     {
       return false;
     }
   }
-  for (int i = UsesTiles() ? 1 : 0; i < 2; ++i)
+  for (int i = vtkIndirectComputeProgram::IsSupported() ? 1 : 0; i < 2; ++i)
   {
     vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
     vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->AllLight;
@@ -222,7 +214,7 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
       return false;
     }
   }
-  if (!UsesTiles())
+  if (!vtkIndirectComputeProgram::IsSupported())
   {
     return this->SumBlended(input, definitions, image);
   }

@@ -24,9 +24,6 @@ class vtkIndirectProxySums
 public:
   vtkIndirectProxySums();
 
-  /** True if this OpenGL sums in tiles; see vtkIndirectBackEndChoices. */
-  static bool UsesTiles();
-
   struct Input
   {
     const vtkIndirectFrame& Frame;

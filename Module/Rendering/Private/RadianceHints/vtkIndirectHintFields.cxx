@@ -61,9 +61,8 @@ std::string GetDefinitions(int layout, bool occupancy, int grids)
 std::string vtkIndirectHintFields::GetLookupDefinitions(const Settings& settings, int grids)
 {
   return GetDefinitions(settings.Layout, settings.Visibility, grids) +
-    Define("VTKI_LOOKUPS", settings.NumberOfLookups) +
-    Define("VTKI_LOOKUP_ROTATION", settings.LookupRotation) +
-    Define("VTKI_LOBES", settings.Deringing) + Define("VTKI_FACING", settings.FacingWeights);
+    Define("VTKI_LOOKUPS", settings.NumberOfLookups) + Define("VTKI_LOBES", settings.Deringing) +
+    Define("VTKI_FACING", settings.FacingWeights);
 }
 
 //------------------------------------------------------------------------------
@@ -150,7 +149,7 @@ bool vtkIndirectHintFields::Inject(
   vtkIndirectFullScreenProgram& kernel = list ? this->DenseKernel : this->SampledKernel;
   kernel.SetDefinitions(GetDefinitions(this->Layout, settings.Visibility, grid.GetNumberOfGrids()) +
     (list ? input.Lights->GetDefinitions() : ""));
-  vtkShaderProgram* program = kernel.Use(frame.Window, *this->Fields[0]);
+  vtkShaderProgram* program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -173,7 +172,6 @@ bool vtkIndirectHintFields::Inject(
     program->SetUniformi("vtkiLayerCount", layers);
     program->SetUniformi(
       "vtkiSampleCount", std::max(1, (settings.NumberOfSamples + layers - 1) / layers));
-    program->SetUniformf("vtkiCoverage", static_cast<float>(settings.Coverage));
   }
   program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
   program->SetUniformf(
@@ -214,7 +212,7 @@ bool vtkIndirectHintFields::Reflect(
   {
     return false;
   }
-  vtkShaderProgram* program = this->RadiosityKernel.Use(window, this->Radiosity);
+  vtkShaderProgram* program = this->RadiosityKernel.Use(window);
   if (!program)
   {
     return false;
@@ -246,7 +244,7 @@ bool vtkIndirectHintFields::Bounce(
   // L^k = L^1 + T L^(k-1)
   const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
   this->CopyKernel.SetDefinitions(GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
-  vtkShaderProgram* program = this->CopyKernel.Use(window, *this->Fields[next]);
+  vtkShaderProgram* program = this->CopyKernel.Use(window);
   if (!program)
   {
     return false;
@@ -260,7 +258,7 @@ bool vtkIndirectHintFields::Bounce(
     settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
   kernel.SetDefinitions(GetDefinitions(
     this->Layout, settings.FromHints && settings.Visibility, grid.GetNumberOfGrids()));
-  program = kernel.Use(window, *this->Fields[next], true);
+  program = kernel.Use(window);
   if (!program)
   {
     this->Fields[next]->End();

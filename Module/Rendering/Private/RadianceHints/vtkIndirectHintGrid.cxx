@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -117,7 +118,10 @@ void vtkIndirectHintGrid::Clear()
   this->Albedo.clear();
   this->MaskSize = glm::ivec3(0);
   this->NumberOfActive = 0;
-  this->Textures.Clear();
+  for (vtkIndirectDataTexture& texture : this->Textures)
+  {
+    texture.Clear();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -476,6 +480,31 @@ int vtkIndirectHintGrid::GetHit(int hint, int ray) const
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectHintGrid::GetBytes() const
+{
+  return std::accumulate(this->Textures.begin(), this->Textures.end(), size_t(0),
+    [](size_t sum, const vtkIndirectDataTexture& texture) { return sum + texture.GetBytes(); });
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Release(vtkWindow* window)
+{
+  for (vtkIndirectDataTexture& texture : this->Textures)
+  {
+    texture.Release(window);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectHintGrid::Deactivate() const
+{
+  for (const vtkIndirectDataTexture& texture : this->Textures)
+  {
+    texture.Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
 size_t vtkIndirectHintGrid::GetMainMemoryBytes() const
 {
   return (this->Hints.size() + this->Directions.size() + this->Albedo.size()) * sizeof(glm::vec4) +
@@ -492,11 +521,11 @@ int vtkIndirectHintGrid::GetNumberOfSurfelRows() const
 void vtkIndirectHintGrid::Bind(
   Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform)
 {
-  if (!this->Textures.Has(table))
+  if (this->Textures[table].IsEmpty())
   {
     this->Make(table, window);
   }
-  this->Textures.Bind(table, program, uniform);
+  this->Textures[table].Activate(program, uniform);
 }
 
 //------------------------------------------------------------------------------
@@ -506,13 +535,14 @@ void vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
   int width = RowLength;
   switch (table)
   {
-    case Tables::Masks:
-      this->Textures.Make(table, window, this->MaskSize, this->Masks);
+    case MaskTable:
+      this->Textures[table].Set(
+        window, vtkIndirectDataTexture::BYTES, 2, this->MaskSize, this->Masks.data());
       return;
-    case Tables::Hints:
+    case HintTable:
       texels = this->Hints;
       break;
-    case Tables::Rays:
+    case RayTable:
       this->RayRowLength = LeastRayRowLength;
       while (this->Hits.size() / 4 >
         static_cast<size_t>(this->RayRowLength) * vtkTextureObject::GetMaximumTextureSize(window))
@@ -523,28 +553,31 @@ void vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
       texels.resize(this->Hits.size() / 4);
       std::copy(this->Hits.begin(), this->Hits.end(), texels.empty() ? nullptr : &texels[0].x);
       break;
-    case Tables::Albedo:
+    case AlbedoTable:
       texels = this->Albedo;
       break;
-    case Tables::Directions:
+    case DirectionTable:
       texels = this->Directions;
       break;
     default:
       for (const Surfel& surfel : this->Surfels)
       {
-        texels.emplace_back(table == Tables::SurfelPosition
+        texels.emplace_back(table == SurfelPosition
             ? surfel.Position
-            : (table == Tables::SurfelNormal ? surfel.Normal : surfel.Albedo),
+            : (table == SurfelNormal ? surfel.Normal : surfel.Albedo),
           surfel.Depth);
       }
   }
-  this->Textures.Make(table, window, std::move(texels), width);
+  const int rows = std::max(1, (static_cast<int>(texels.size()) + width - 1) / width);
+  texels.resize(static_cast<size_t>(rows) * width, glm::vec4(0.0f));
+  this->Textures[table].Set(
+    window, vtkIndirectDataTexture::FLOATS, 4, { width, rows, 0 }, texels.data());
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
-  this->Bind(Tables::Hints, window, program, "vtkiHints");
+  this->Bind(HintTable, window, program, "vtkiHints");
   for (int grid = 0; grid < this->GetNumberOfGrids(); ++grid)
   {
     float rows[3][4] = {};
@@ -569,14 +602,14 @@ void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgr
 //------------------------------------------------------------------------------
 void vtkIndirectHintGrid::ActivateMasks(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
-  this->Bind(Tables::Masks, window, program, "vtkiMasks");
+  this->Bind(MaskTable, window, program, "vtkiMasks");
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
-  this->Bind(Tables::Rays, window, program, "vtkiRays");
-  this->Bind(Tables::Directions, window, program, "vtkiDirections");
+  this->Bind(RayTable, window, program, "vtkiRays");
+  this->Bind(DirectionTable, window, program, "vtkiDirections");
   program->SetUniformi("vtkiRayEdge", this->RayEdge);
   program->SetUniformi("vtkiRayRowLength", this->RayRowLength);
 }
@@ -584,7 +617,7 @@ void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderP
 //------------------------------------------------------------------------------
 void vtkIndirectHintGrid::ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
 {
-  this->Bind(Tables::Albedo, window, program, "vtkiHintAlbedo");
+  this->Bind(AlbedoTable, window, program, "vtkiHintAlbedo");
 }
 
 //------------------------------------------------------------------------------
@@ -593,7 +626,7 @@ void vtkIndirectHintGrid::ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShad
   const char* const names[] = { "vtkiSurfelPosition", "vtkiSurfelNormal", "vtkiSurfelAlbedo" };
   for (int i = 0; i < 3; ++i)
   {
-    this->Bind(static_cast<Table>(Tables::SurfelPosition + i), window, program, names[i]);
+    this->Bind(static_cast<Table>(SurfelPosition + i), window, program, names[i]);
   }
   program->SetUniformi("vtkiSurfelCount", static_cast<int>(this->Surfels.size()));
 }

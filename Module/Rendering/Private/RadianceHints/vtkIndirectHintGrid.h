@@ -11,9 +11,10 @@
 #ifndef vtkIndirectHintGrid_h
 #define vtkIndirectHintGrid_h
 
-#include "OpenGL/vtkIndirectKernels.h"           // for the row length
-#include "RadianceHints/vtkIndirectHintTables.h" // for members
+#include "OpenGL/vtkIndirectDataTexture.h" // for members
+#include "OpenGL/vtkIndirectKernels.h"     // for the row length
 
+#include <array>       // for tables
 #include <glm/glm.hpp> // for vectors
 #include <string>      // for reasons
 #include <vector>      // for tables
@@ -110,17 +111,27 @@ public:
   void ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
   void ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
   void ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void Deactivate() { this->Textures.Deactivate(); }
+  void Deactivate() const;
   ///@}
   int GetNumberOfGrids() const { return static_cast<int>(this->Current.Regions.size()); }
 
-  size_t GetBytes() const { return this->Textures.GetBytes(); }
+  size_t GetBytes() const;
   size_t GetMainMemoryBytes() const;
-  void Release(vtkWindow* window) { this->Textures.Release(window); }
+  void Release(vtkWindow* window);
 
 private:
-  using Tables = vtkIndirectHintTables;
-  using Table = Tables::Table;
+  enum Table
+  {
+    HintTable,
+    MaskTable,
+    RayTable,
+    DirectionTable,
+    SurfelPosition,
+    SurfelNormal,
+    SurfelAlbedo,
+    AlbedoTable,
+    NumberOfTables
+  };
 
   void Place(int grid);
   void FindMasks(int grid);
@@ -147,7 +158,7 @@ private:
   int NumberOfActive = 0;
   int RayEdge = 0;
   int RayRowLength = 0; // texels in a row of the table of rays
-  Tables Textures;
+  std::array<vtkIndirectDataTexture, NumberOfTables> Textures; // each made when it is first bound
 };
 
 #endif

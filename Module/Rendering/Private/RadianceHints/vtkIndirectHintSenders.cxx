@@ -60,7 +60,7 @@ bool vtkIndirectHintSenders::Update(const Input& input)
     return false;
   }
   vtkIndirectTarget& table = this->BeginChange();
-  vtkShaderProgram* program = count > 0 ? this->Program.Use(window, table) : nullptr;
+  vtkShaderProgram* program = count > 0 ? this->Program.Use(window) : nullptr;
   if (count > 0 && !program)
   {
     return false;

@@ -293,7 +293,7 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
   this->Converged = !mix;
   const std::string definitions = this->GetLookupDefinitions(step);
   this->LookUpKernel.SetDefinitions(definitions + (mix ? "#define VTKI_KEEP\n" : ""));
-  vtkShaderProgram* program = this->LookUpKernel.Use(frame.Window, this->Coarse[next]);
+  vtkShaderProgram* program = this->LookUpKernel.Use(frame.Window);
   if (!program)
   {
     return false;

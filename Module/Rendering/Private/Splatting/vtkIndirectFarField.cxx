@@ -61,7 +61,7 @@ bool vtkIndirectFarField::Sum(
   const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
   const bool adds = rows > rowsPerDraw;
   this->SumCoarse.SetDefinitions(GetDefinitions(input, table, step));
-  vtkShaderProgram* program = this->SumCoarse.Use(frame.Window, this->Coarse, adds);
+  vtkShaderProgram* program = this->SumCoarse.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -95,7 +95,7 @@ bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
 {
   const vtkIndirectFrame& frame = input.Frame;
   this->Interpolate.SetDefinitions(GetDefinitions(input, table, step));
-  vtkShaderProgram* program = this->Interpolate.Use(frame.Window, irradiance, true);
+  vtkShaderProgram* program = this->Interpolate.Use(frame.Window);
   if (!program)
   {
     return false;

@@ -89,7 +89,7 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   this->SumAll.SetDefinitions(definitions + "#define VTKI_SPLAT_COLUMNS\n");
   this->MakeBounds.SetDefinitions(definitions);
 
-  vtkShaderProgram* program = this->SumColumns.Use(window, this->Columns);
+  vtkShaderProgram* program = this->SumColumns.Use(window);
   if (!program)
   {
     return false;
@@ -102,7 +102,7 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   lights.Deactivate();
   this->Columns.End();
 
-  program = this->SumAll.Use(window, this->Mean);
+  program = this->SumAll.Use(window);
   if (!program)
   {
     return false;
@@ -113,7 +113,7 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   this->Columns.Deactivate();
   this->Mean.End();
 
-  program = this->MakeBounds.Use(window, this->Bounds);
+  program = this->MakeBounds.Use(window);
   if (!program)
   {
     return false;

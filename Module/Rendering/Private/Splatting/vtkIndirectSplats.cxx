@@ -69,18 +69,11 @@ private:
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSplats::UsesTiles()
-{
-  return vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Splats) ==
-    vtkIndirectBackEndChoices::SplatsInTiles;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectSplats::Sum(
   const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, vtkIndirectTarget& sum)
 {
-  return UsesTiles() ? SumInTiles(input, table, this->Tiles, sum)
-                     : this->SumBlended(input, table, sum);
+  return vtkIndirectComputeProgram::IsSupported() ? SumInTiles(input, table, this->Tiles, sum)
+                                                  : this->SumBlended(input, table, sum);
 }
 
 //------------------------------------------------------------------------------

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sums virtual lights and their lobes within their bounds: by blended splats, or by compute shaders
-// in tiles of 16 x 16 pixels. Both give the same result within rounding.
+// Sums virtual lights and their lobes within their bounds: by compute shaders in tiles of 16 x 16
+// pixels, or without compute shaders by blended splats. Both give the same result within rounding.
 #ifndef vtkIndirectSplats_h
 #define vtkIndirectSplats_h
 
@@ -17,9 +17,6 @@ class vtkShaderProgram;
 class vtkIndirectSplats
 {
 public:
-  /** True if this OpenGL sums in tiles; see vtkIndirectBackEndChoices. */
-  static bool UsesTiles();
-
   /**
    * Fills `sum`, of the frame's size and RGBA32F; its fourth component is the number of splats at a
    * pixel. Without tiles the target shares the geometry buffer's depth. Within a

@@ -25,7 +25,7 @@ bool vtkIndirectHeadlightSampler::Update(const Input& input)
   }
   vtkIndirectTarget& table = this->BeginChange();
   this->Program.SetDefinitions(input.Geometry.GetAlbedoDefinitions());
-  vtkShaderProgram* program = this->Program.Use(frame.Window, table);
+  vtkShaderProgram* program = this->Program.Use(frame.Window);
   if (!program)
   {
     return false;

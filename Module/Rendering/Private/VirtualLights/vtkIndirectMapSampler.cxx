@@ -125,7 +125,7 @@ bool vtkIndirectMapSampler::Update(const Input& input)
     return false;
   }
   in.Program.SetDefinitions(drawing.Modulated ? "#define VTKI_AMBIENT_OCCLUSION\n" : "");
-  vtkShaderProgram* program = in.Program.Use(window, table);
+  vtkShaderProgram* program = in.Program.Use(window);
   if (!program)
   {
     return false;
@@ -161,7 +161,7 @@ bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
     return true;
   }
   vtkIndirectTarget* lobes = this->MakeLobes(window);
-  vtkShaderProgram* program = lobes ? in.LobeProgram.Use(window, *lobes) : nullptr;
+  vtkShaderProgram* program = lobes ? in.LobeProgram.Use(window) : nullptr;
   if (!program)
   {
     return false;

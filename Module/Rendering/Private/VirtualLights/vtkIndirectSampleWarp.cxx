@@ -182,7 +182,7 @@ bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window, const vtkIndirec
     return false;
   }
   this->WarpProgram.SetDefinitions(this->WithFlux ? "#define VTKI_FLUX\n" : "");
-  vtkShaderProgram* program = this->WarpProgram.Use(window, this->Samples);
+  vtkShaderProgram* program = this->WarpProgram.Use(window);
   if (!program)
   {
     return false;

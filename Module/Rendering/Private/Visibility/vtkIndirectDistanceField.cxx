@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OpenGL/vtkIndirectGL.h"
-
 #include "Visibility/vtkIndirectDistanceField.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -60,16 +55,13 @@ void GrowAcross(const Columns& from, Columns& to, const glm::ivec3& size, int ax
 }
 }
 
-vtkIndirectDistanceField::vtkIndirectDistanceField() = default;
-vtkIndirectDistanceField::~vtkIndirectDistanceField() = default;
-
 //------------------------------------------------------------------------------
 void vtkIndirectDistanceField::Build(const vtkIndirectOccupancyVolume& volume)
 {
   this->Size = volume.GetSize();
   this->Origin = glm::vec3(volume.ToScene(glm::dvec3(0.0)));
   this->VoxelsPerUnit = static_cast<float>(1.0 / volume.GetVoxelSize());
-  this->Uploaded = false;
+  this->Texture.Clear();
   const glm::ivec3 size = this->Size;
   const size_t count = static_cast<size_t>(size.x) * size.y;
   // A voxel far from all occupied ones keeps the largest distance that is stored.
@@ -126,50 +118,15 @@ void vtkIndirectDistanceField::Build(const vtkIndirectOccupancyVolume& volume)
 void vtkIndirectDistanceField::Activate(
   vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
 {
-  if (!this->Texture)
+  if (this->Texture.IsEmpty())
   {
-    this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-    this->Uploaded = false;
+    this->Texture.Set(
+      window, vtkIndirectDataTexture::INTEGER_BYTES, 1, this->Size, this->Voxels.data());
   }
-  if (!this->Uploaded)
-  {
-    this->Texture->SetContext(window);
-    this->Texture->SetInternalFormat(GL_R8UI);
-    this->Texture->SetFormat(GL_RED_INTEGER);
-    this->Texture->SetDataType(GL_UNSIGNED_BYTE);
-    this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    this->Texture->Create3DFromRaw(static_cast<unsigned int>(this->Size.x),
-      static_cast<unsigned int>(this->Size.y), static_cast<unsigned int>(this->Size.z), 1,
-      VTK_UNSIGNED_CHAR, const_cast<unsigned char*>(this->Voxels.data()));
-    this->Uploaded = true;
-  }
-  this->Texture->Activate();
-  program->SetUniformi("vtkiDistanceField", this->Texture->GetTextureUnit());
+  this->Texture.Activate(program, "vtkiDistanceField");
   const float origin[4] = { this->Origin.x, this->Origin.y, this->Origin.z, this->VoxelsPerUnit };
   program->SetUniform4f("vtkiDistanceFieldOrigin", origin);
   const float size[3] = { static_cast<float>(this->Size.x), static_cast<float>(this->Size.y),
     static_cast<float>(this->Size.z) };
   program->SetUniform3f("vtkiDistanceFieldSize", size);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectDistanceField::Deactivate() const
-{
-  if (this->Texture)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectDistanceField::Release(vtkWindow* window)
-{
-  if (this->Texture)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
-  }
-  this->Uploaded = false;
 }

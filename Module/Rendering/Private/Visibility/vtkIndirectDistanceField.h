@@ -5,7 +5,7 @@
 #ifndef vtkIndirectDistanceField_h
 #define vtkIndirectDistanceField_h
 
-#include "vtkSmartPointer.h" // for the texture
+#include "OpenGL/vtkIndirectDataTexture.h" // for a member
 
 #include <cstddef>     // for size_t
 #include <glm/glm.hpp> // for vectors
@@ -14,15 +14,11 @@
 class vtkIndirectOccupancyVolume;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 class vtkIndirectDistanceField
 {
 public:
-  vtkIndirectDistanceField();
-  ~vtkIndirectDistanceField();
-
   void Build(const vtkIndirectOccupancyVolume& volume);
 
   int Get(const glm::ivec3& voxel) const
@@ -39,18 +35,17 @@ public:
 
   /** Binds the distances for vtkIndirectVisibility.glsl; pair with Deactivate. */
   void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
-  void Deactivate() const;
-  size_t GetBytes() const { return this->Uploaded ? this->Voxels.size() : 0; }
+  void Deactivate() const { this->Texture.Deactivate(); }
+  size_t GetBytes() const { return this->Texture.GetBytes(); }
   size_t GetMainMemoryBytes() const { return this->Voxels.size(); }
-  void Release(vtkWindow* window);
+  void Release(vtkWindow* window) { this->Texture.Release(window); }
 
 private:
   glm::ivec3 Size{ 0 };
   glm::vec3 Origin{ 0.0f };
   float VoxelsPerUnit = 1.0f;
   std::vector<unsigned char> Voxels;
-  mutable vtkSmartPointer<vtkTextureObject> Texture;
-  mutable bool Uploaded = false;
+  mutable vtkIndirectDataTexture Texture;
 };
 
 #endif

@@ -12,7 +12,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +69,8 @@ void vtkIndirectOccupancyVolume::Clear(
   this->MeanAlbedo = glm::dvec3(0.0);
   this->NumberOfTriangles = 0;
   this->LeftOut.clear();
-  this->Uploaded = this->DistanceFieldIsCurrent = false;
+  this->Texture.Clear();
+  this->DistanceFieldIsCurrent = false;
 }
 
 //------------------------------------------------------------------------------
@@ -325,26 +325,12 @@ size_t vtkIndirectOccupancyVolume::GetNumberOfOccupiedVoxels() const
 void vtkIndirectOccupancyVolume::Activate(
   vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
 {
-  if (!this->Texture)
+  if (this->Texture.IsEmpty())
   {
-    this->Texture = vtkSmartPointer<vtkTextureObject>::New();
-    this->Uploaded = false;
+    this->Texture.Set(window, vtkIndirectDataTexture::INTEGERS, 4,
+      { this->Size.x, this->Size.y, 0 }, this->Columns.data());
   }
-  if (!this->Uploaded)
-  {
-    this->Texture->SetContext(window);
-    this->Texture->SetInternalFormat(GL_RGBA32UI);
-    this->Texture->SetFormat(GL_RGBA_INTEGER);
-    this->Texture->SetDataType(GL_UNSIGNED_INT);
-    this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    this->Texture->Create2DFromRaw(static_cast<unsigned int>(this->Size.x),
-      static_cast<unsigned int>(this->Size.y), 4, VTK_UNSIGNED_INT,
-      const_cast<glm::uvec4*>(this->Columns.data()));
-    this->Uploaded = true;
-  }
-  this->Texture->Activate();
-  program->SetUniformi("vtkiOccupancy", this->Texture->GetTextureUnit());
+  this->Texture.Activate(program, "vtkiOccupancy");
   const float origin[4] = { static_cast<float>(this->Origin.x), static_cast<float>(this->Origin.y),
     static_cast<float>(this->Origin.z), static_cast<float>(1.0 / this->VoxelSize) };
   program->SetUniform4f("vtkiOccupancyOrigin", origin);
@@ -356,17 +342,13 @@ void vtkIndirectOccupancyVolume::Activate(
 //------------------------------------------------------------------------------
 void vtkIndirectOccupancyVolume::Deactivate() const
 {
-  if (this->Texture)
-  {
-    this->Texture->Deactivate();
-  }
+  this->Texture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectOccupancyVolume::GetBytes() const
 {
-  return (this->Uploaded ? this->Columns.size() * sizeof(glm::uvec4) : 0) +
-    (this->DistanceField ? this->DistanceField->GetBytes() : 0);
+  return this->Texture.GetBytes() + (this->DistanceField ? this->DistanceField->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -379,14 +361,9 @@ size_t vtkIndirectOccupancyVolume::GetMainMemoryBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectOccupancyVolume::Release(vtkWindow* window)
 {
-  if (this->Texture)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-    this->Texture = nullptr;
-  }
+  this->Texture.Release(window);
   if (this->DistanceField)
   {
     this->DistanceField->Release(window);
   }
-  this->Uploaded = false;
 }

@@ -14,8 +14,8 @@
 
 #include "Frame/vtkIndirectFrame.h"            // for casters
 #include "Frame/vtkIndirectKey.h"              // for keys
+#include "OpenGL/vtkIndirectDataTexture.h"     // for a member
 #include "Visibility/vtkIndirectVoxelPlanes.h" // for a member
-#include "vtkSmartPointer.h"                   // for members
 
 #include <glm/glm.hpp> // for vectors
 #include <memory>      // for the distance field
@@ -26,7 +26,6 @@ class vtkIndirectDistanceField;
 class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 class vtkIndirectOccupancyVolume
@@ -129,8 +128,7 @@ private:
   mutable std::unique_ptr<vtkIndirectDistanceField> DistanceField;
   mutable bool DistanceFieldIsCurrent = false;
   std::vector<LeftOutProp> LeftOut;
-  mutable vtkSmartPointer<vtkTextureObject> Texture;
-  mutable bool Uploaded = false;
+  mutable vtkIndirectDataTexture Texture;
 };
 
 #endif

@@ -324,7 +324,7 @@ bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
   vtkIndirectFullScreenState kernelState(frame.Window);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   this->Tiles.Begin();
-  vtkShaderProgram* program = this->Kernel.Use(frame.Window, this->Tiles);
+  vtkShaderProgram* program = this->Kernel.Use(frame.Window);
   if (program)
   {
     this->Atlas.Activate(program);

@@ -7,7 +7,6 @@
 #include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +38,8 @@ void vtkIndirectSphereGrid::Clear()
   this->NumberOfSteps = 0.0;
   this->Cells = std::vector<glm::uvec2>();
   this->Lists = std::vector<glm::vec4>();
-  this->Uploaded = false;
+  this->CellTexture.Clear();
+  this->ListTexture.Clear();
 }
 
 //------------------------------------------------------------------------------
@@ -276,41 +276,24 @@ void vtkIndirectSphereGrid::FindNumberOfSteps(
 //------------------------------------------------------------------------------
 void vtkIndirectSphereGrid::Upload(vtkOpenGLRenderWindow* window) const
 {
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->CellTexture, &this->ListTexture })
-  {
-    if (!*texture)
-    {
-      *texture = vtkSmartPointer<vtkTextureObject>::New();
-    }
-    (*texture)->SetContext(window);
-    (*texture)->SetMinificationFilter(vtkTextureObject::Nearest);
-    (*texture)->SetMagnificationFilter(vtkTextureObject::Nearest);
-  }
-  this->CellTexture->SetInternalFormat(GL_RG32UI);
-  this->CellTexture->SetFormat(GL_RG_INTEGER);
-  this->CellTexture->SetDataType(GL_UNSIGNED_INT);
-  this->CellTexture->Create3DFromRaw(static_cast<unsigned int>(this->Size.x),
-    static_cast<unsigned int>(this->Size.y), static_cast<unsigned int>(this->Size.z), 2,
-    VTK_UNSIGNED_INT, const_cast<glm::uvec2*>(this->Cells.data()));
+  this->CellTexture.Set(
+    window, vtkIndirectDataTexture::INTEGERS, 2, this->Size, this->Cells.data());
   const size_t rows = (this->Lists.size() + RowLength - 1) / RowLength;
   std::vector<glm::vec4> table(this->Lists);
   table.resize(RowLength * rows, glm::vec4(0.0f));
-  this->ListTexture->Create2DFromRaw(
-    RowLength, static_cast<unsigned int>(rows), 4, VTK_FLOAT, table.data());
-  this->Uploaded = true;
+  this->ListTexture.Set(window, vtkIndirectDataTexture::FLOATS, 4,
+    { RowLength, static_cast<int>(rows), 0 }, table.data());
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectSphereGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
 {
-  if (!this->Uploaded)
+  if (this->CellTexture.IsEmpty())
   {
     this->Upload(window);
   }
-  this->CellTexture->Activate();
-  program->SetUniformi("vtkiSphereCells", this->CellTexture->GetTextureUnit());
-  this->ListTexture->Activate();
-  program->SetUniformi("vtkiSphereLists", this->ListTexture->GetTextureUnit());
+  this->CellTexture.Activate(program, "vtkiSphereCells");
+  this->ListTexture.Activate(program, "vtkiSphereLists");
   const glm::vec3 lower(this->Origin);
   const float origin[4] = { lower.x, lower.y, lower.z, static_cast<float>(this->Scale) };
   program->SetUniform4f("vtkiSphereOrigin", origin);
@@ -319,20 +302,14 @@ void vtkIndirectSphereGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
 //------------------------------------------------------------------------------
 void vtkIndirectSphereGrid::Deactivate() const
 {
-  if (this->Uploaded)
-  {
-    this->CellTexture->Deactivate();
-    this->ListTexture->Deactivate();
-  }
+  this->CellTexture.Deactivate();
+  this->ListTexture.Deactivate();
 }
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectSphereGrid::GetBytes() const
 {
-  const size_t rows = (this->Lists.size() + RowLength - 1) / RowLength;
-  return this->Uploaded
-    ? this->Cells.size() * sizeof(glm::uvec2) + RowLength * rows * sizeof(glm::vec4)
-    : 0;
+  return this->CellTexture.GetBytes() + this->ListTexture.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -344,13 +321,6 @@ size_t vtkIndirectSphereGrid::GetMainMemoryBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectSphereGrid::Release(vtkWindow* window)
 {
-  for (vtkSmartPointer<vtkTextureObject>* texture : { &this->CellTexture, &this->ListTexture })
-  {
-    if (*texture)
-    {
-      (*texture)->ReleaseGraphicsResources(window);
-      *texture = nullptr;
-    }
-  }
-  this->Uploaded = false;
+  this->CellTexture.Release(window);
+  this->ListTexture.Release(window);
 }

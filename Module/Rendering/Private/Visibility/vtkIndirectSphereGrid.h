@@ -9,7 +9,7 @@
 #ifndef vtkIndirectSphereGrid_h
 #define vtkIndirectSphereGrid_h
 
-#include "vtkSmartPointer.h" // for the textures
+#include "OpenGL/vtkIndirectDataTexture.h" // for members
 
 #include <cstddef>     // for size_t
 #include <cstdint>     // for indices
@@ -18,7 +18,6 @@
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureObject;
 class vtkWindow;
 
 class vtkIndirectSphereGrid
@@ -100,9 +99,8 @@ private:
   double NumberOfSteps = 0.0;
   std::vector<glm::uvec2> Cells; // first entry and length of a list
   std::vector<glm::vec4> Lists;  // cells
-  mutable vtkSmartPointer<vtkTextureObject> CellTexture;
-  mutable vtkSmartPointer<vtkTextureObject> ListTexture;
-  mutable bool Uploaded = false;
+  mutable vtkIndirectDataTexture CellTexture;
+  mutable vtkIndirectDataTexture ListTexture;
 };
 
 #endif

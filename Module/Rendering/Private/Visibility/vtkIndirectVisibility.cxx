@@ -193,10 +193,9 @@ void vtkIndirectVisibility::UpdateSharing(const vtkIndirectFrame& frame)
   }
   const bool shared = this->Shares;
   this->Shares = this->Stride > 1 || this->Atlas.GetNumberOfMissingTiles() > 0;
-  if (!this->Shares && this->Owners)
+  if (!this->Shares)
   {
-    this->Owners->ReleaseGraphicsResources(frame.Window);
-    this->Owners = nullptr;
+    this->Owners.Release(frame.Window);
   }
   if (this->Shares && (this->LightsAreNew || !shared || this->Atlas.HasChanged()))
   {
@@ -258,15 +257,8 @@ void vtkIndirectVisibility::ShareTiles(const vtkIndirectFrame& frame)
     }
     place[3] = static_cast<float>(std::max(owner, 0));
   }
-  if (!this->Owners)
-  {
-    this->Owners = vtkSmartPointer<vtkTextureObject>::New();
-  }
-  this->Owners->SetContext(frame.Window);
-  this->Owners->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Owners->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->Owners->Create2DFromRaw(static_cast<unsigned int>(width),
-    static_cast<unsigned int>(2 * rows), 4, VTK_FLOAT, owners.data());
+  this->Owners.Set(frame.Window, vtkIndirectDataTexture::FLOATS, 4,
+    { static_cast<int>(width), static_cast<int>(2 * rows), 0 }, owners.data());
 }
 
 //------------------------------------------------------------------------------
@@ -352,8 +344,7 @@ void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
     this->Atlas.Activate(program);
     if (this->Shares)
     {
-      this->Owners->Activate();
-      program->SetUniformi("vtkiTileOwners", this->Owners->GetTextureUnit());
+      this->Owners.Activate(program, "vtkiTileOwners");
     }
     return;
   }
@@ -373,10 +364,7 @@ void vtkIndirectVisibility::Deactivate() const
   if (this->LooksUpMaps())
   {
     this->Atlas.Deactivate();
-    if (this->Shares)
-    {
-      this->Owners->Deactivate();
-    }
+    this->Owners.Deactivate();
     return;
   }
   if (this->WalksVoxels())
@@ -499,10 +487,6 @@ void vtkIndirectVisibility::Release(vtkWindow* window)
   this->Volume->Release(window);
   this->Spheres.Release(window);
   this->DepthMaps.Release(vtkIndirectDepthMaps::VIRTUAL_LIGHTS, window);
-  if (this->Owners)
-  {
-    this->Owners->ReleaseGraphicsResources(window);
-    this->Owners = nullptr;
-  }
+  this->Owners.Release(window);
   this->LightsTime = 0;
 }

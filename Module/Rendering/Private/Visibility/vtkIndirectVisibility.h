@@ -6,10 +6,10 @@
 #define vtkIndirectVisibility_h
 
 #include "Frame/vtkIndirectEstimate.h"             // for the needs
+#include "OpenGL/vtkIndirectDataTexture.h"         // for a member
 #include "Visibility/vtkIndirectBlockingSpheres.h" // for the input
 #include "Visibility/vtkIndirectDepthMaps.h"       // for depth maps
 #include "Visibility/vtkIndirectSphereGrid.h"      // for a member
-#include "vtkSmartPointer.h"                       // for a member
 
 #include <cstddef> // for size_t
 #include <memory>  // for the volume
@@ -24,7 +24,6 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
-class vtkTextureObject;
 class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
@@ -145,7 +144,7 @@ private:
   bool WithDirections = false;                   // some lights are directions
   // With fewer tiles than lights: the owner of the tile that each light looks up.
   bool Shares = false;
-  vtkSmartPointer<vtkTextureObject> Owners;
+  vtkIndirectDataTexture Owners;
 };
 
 #endif

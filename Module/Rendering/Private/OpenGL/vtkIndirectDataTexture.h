@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A texture of data that the processor has made.
+#ifndef vtkIndirectDataTexture_h
+#define vtkIndirectDataTexture_h
+
+#include "vtkSmartPointer.h" // for the texture
+
+#include <cstddef>     // for size_t
+#include <glm/glm.hpp> // for sizes
+
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+class vtkIndirectDataTexture
+{
+public:
+  vtkIndirectDataTexture();
+  ~vtkIndirectDataTexture();
+
+  enum ContentType
+  {
+    FLOATS,
+    BYTES,         // shaders read 0 to 1
+    INTEGER_BYTES, // shaders read unsigned integers
+    INTEGERS
+  };
+
+  /**
+   * Replaces the content by texels of this many components; size.z = 0: in two dimensions. Shaders
+   * get the nearest texel, or with `linear` interpolated ones, clamped to the edge. Returns false,
+   * after an error, if OpenGL refuses.
+   */
+  bool Set(vtkOpenGLRenderWindow* window, ContentType content, int components,
+    const glm::ivec3& size, const void* data, bool linear = false);
+
+  bool IsEmpty() const { return this->Texture == nullptr; }
+
+  ///@{
+  /** Bind the texture to a sampler; pair. An empty texture may be deactivated. */
+  void Activate(vtkShaderProgram* program, const char* uniform) const;
+  void Deactivate() const;
+  ///@}
+
+  size_t GetBytes() const { return this->Bytes; }
+  void Release(vtkWindow* window);
+
+  /** Drops the content, which is out of date; the context need not be current. */
+  void Clear();
+
+private:
+  vtkSmartPointer<vtkTextureObject> Texture;
+  size_t Bytes = 0;
+};
+
+#endif
