@@ -128,8 +128,8 @@ class Contact(unittest.TestCase):
                 meets = place + steps[..., None] * sun
                 # The map sees the scene's sphere at most: width of a texel across the light.
                 texel = 2.0 * np.linalg.norm([0.5 * (end + 1.0), 1.0, 1.0]) / TEXELS
-                # Look-ups reach one and a half of them, on the wall over the cosine of the light.
-                margin = 1.5 * texel / (sun[0] / np.linalg.norm(sun))
+                # Look-ups reach one of them, on the wall over the cosine of the light.
+                margin = 1.05 * texel / (sun[0] / np.linalg.norm(sun))
                 hidden = (
                     (np.abs(place[..., 1]) < 1e-3)
                     & (steps > 0.0)
@@ -145,6 +145,37 @@ class Contact(unittest.TestCase):
                 )
                 self.assertGreater(foot.sum(), 200)
                 self.assertEqual((lit & hidden).sum(), 0)
+
+    def test_a_shadow_ends_within_a_texel_of_its_edge(self) -> None:
+        # A square above a floor, turned so that its edges cross the map's rows at a slant.
+        floor = mesh([[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1]], [[0, 1, 2, 3]])
+        turn = np.radians(20.0)
+        along = np.array([np.cos(turn), 0.0, np.sin(turn)])
+        across = np.array([-np.sin(turn), 0.0, np.cos(turn)])
+        middle = np.array([0.1, 0.5, 0.0])
+        corners = [
+            middle + 0.4 * (x * along + y * across) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+        ]
+        roof = mesh(corners, [[0, 1, 2, 3]])
+        for sun in ([0.2, 1.0, 0.1], [1.0, 2.0, -0.5], [1.0, 0.7, 0.2]):
+            with self.subTest(sun=sun):
+                position, focal = (0.0, 1.2, 2.4), (-0.2, 0.0, 0.0)
+                scene = Scene(self, [floor, roof], sun, position, focal, (500, 500), (0, 1, 0))
+                scene.window.Render()
+                place = scene.places()
+                on_floor = np.abs(place[..., 1]) < 1e-3
+                meets = place + 0.5 / sun[1] * np.array(sun) - middle
+                beyond = np.maximum(np.abs(meets @ along), np.abs(meets @ across)) - 0.4
+                # The map sees the scene's sphere at most; the roof sees its texels at a slant.
+                slant = sun[1] / np.linalg.norm(sun)
+                texel = 2.0 * np.linalg.norm([1.0, 0.25, 1.0]) / TEXELS / slant
+                share = scene.read("direct").max(-1) / slant
+                outside = share[on_floor & (beyond > 1.05 * texel)]
+                inside = share[on_floor & (beyond < -1.05 * texel)]
+                print(f"sun {sun}: outside {outside.min():.3f}, inside {inside.max():.3f}")
+                self.assertGreater(min(outside.size, inside.size), 1000)
+                self.assertGreater(outside.min(), 0.999)
+                self.assertEqual(inside.max(), 0.0)
 
     def test_a_wall_is_lit_down_to_its_foot(self) -> None:
         floor = mesh([[-1, 0, 2], [1, 0, 2], [1, 0, 0], [-1, 0, 0]], [[0, 1, 2, 3]])

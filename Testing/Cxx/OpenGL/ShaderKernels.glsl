@@ -91,7 +91,7 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
   {
     return vec4(vtkiDepthToBuffer(0.1f + a.w, 0.1f, 1.2f, false),
       vtkiDepthToBuffer(0.1f + a.w, 0.1f, 1.2f, true),
-      vtkiDepthToBufferSlope(0.1f + a.w, 0.1f, 1.2f, false), vtkiShadowWeight(floor(3.0f * b.x) - 1.0f, a.w));
+      vtkiDepthToBufferSlope(0.1f + a.w, 0.1f, 1.2f, false), vtkiShadowWeight(vec2(floor(2.0f * b.x), 1.0f), vec2(a.z, a.w)));
   }
   if (kernel == 15)
   {

@@ -13,7 +13,7 @@ uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel proje
 
 #ifdef VTKI_SHADOWS
 uniform float vtkiMagnitude; // size of the numbers whose differences are positions [scene units]
-uniform sampler2DArray vtkiShadowMaps; // depths of a texel and of its neighbours in the row
+uniform sampler2DArray vtkiShadowMaps; // depths, then slopes, of a texel and of the next in the row
 #endif
 
 // Shape of the light map that is drawn.
@@ -50,11 +50,6 @@ const float VTKI_SURFACE_ROUGHNESS = 0.5f;
 const float VTKI_SHADOW_CONTACT = 16.0f;
 // Rounding error of positions, here and in the map, relative to the numbers they are computed from.
 const float VTKI_POSITION_ROUNDING = 4.8e-7f;
-
-int vtkiBitsOf(bvec3 are)
-{
-  return (are.x ? 1 : 0) | (are.y ? 2 : 0) | (are.z ? 4 : 0);
-}
 
 // A light's visibility from a position that the eye sees. viewToLight: its columns are the rows of
 // the matrix from view coordinates to the light's frame in scene units; map: first layer (-1:
@@ -116,63 +111,48 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   plane.perTexel = 1.0f / length1;
   plane.rounding = rounding;
   plane.bias = rounding + VTKI_SURFACE_ROUGHNESS * length1;
-  // The receiver's texel and its eight neighbours, clamped to the map's last row or column.
+  // The four texels around the receiver; beyond the centres of the map's outermost texels these
+  // count alone.
   vec2 at = (0.5f * ndc + 0.5f) * map.w - 0.5f;
-  vec2 center = min(floor(at + 0.5f), vec2(map.w - 1.0f));
-  vec2 toCenter = center - at;
-  vec2 last = vec2(map.w - 1.0f);
+  vec2 first = clamp(floor(at), vec2(0.0f), vec2(max(map.w - 2.0f, 0.0f)));
+  vec2 fraction = clamp(at - first, vec2(0.0f), vec2(1.0f));
   float layer = map.x + float(face);
-  float width = 1.0f / map.w;
-  vec3 columns = clamp(center.x + vec3(-1.0f, 0.0f, 1.0f), vec3(0.0f), last.xxx) - at.x;
-  vec3 rows[3];
-  int before = 0; // one bit a texel that lies before the receiver's plane
-  int asked = 0;  // one bit a texel that may not see the receiver
-  bool deep = true;
-  for (int j = 0; j < 3; ++j)
-  {
-    // A look-up at a texel's centre is exact, and in software faster than a fetch.
-    float row = clamp(center.y + float(j) - 1.0f, 0.0f, last.y);
-    rows[j] = textureLod(vtkiShadowMaps, vec3((vec2(center.x, row) + 0.5f) * width, layer), 0.0f).rgb;
-    vec3 there = plane.reference + gradient.x * columns + gradient.y * (row - at.y);
-    before |= vtkiBitsOf(lessThan(rows[j], min(there - plane.bias, vec3(1.0f)))) << (3 * j);
-    asked |= vtkiBitsOf(lessThan(rows[j], there + plane.bias)) << (3 * j);
-    deep = deep &&
-      all(lessThan(rows[j], min(there, vec3(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
-  }
-  asked = plane.turned ? 511 : (before != 0 ? asked : 0);
-  // If texels differ, and at contact, their planes decide; texels behind the receiver see it and
-  // need no test. A loop, not a branch: OpenGL on the processor takes both sides of a branch, and
-  // at least one step of a loop.
+  // A look-up at a texel's centre is exact, and in software faster than a fetch.
+  vec2 place = (first + 0.5f) / map.w;
+  vec4 row = textureLod(vtkiShadowMaps, vec3(place, layer), 0.0f);
+  vec4 next = textureLod(vtkiShadowMaps, vec3(place.x, place.y + 1.0f / map.w, layer), 0.0f);
+  vec4 depths = vec4(row.xy, next.xy);
+  vec4 slopes = vec4(row.zw, next.zw);
+  vec4 there = plane.reference + gradient.x * (first.x - at.x + vec4(0.0f, 1.0f, 0.0f, 1.0f)) +
+    gradient.y * (first.y - at.y + vec4(0.0f, 0.0f, 1.0f, 1.0f));
+  bool asked = plane.turned || any(lessThan(depths, min(there - plane.bias, vec4(1.0f))));
+  bool deep = all(
+    lessThan(depths, min(there, vec4(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
+  // If texels differ, and at contact, their planes decide. A loop, not a branch: OpenGL on the
+  // processor takes both sides of a branch, and at least one step of a loop.
   vtkiShadowVotes votes = vtkiBeginShadow();
-  votes.seen = 511 - asked;
   float end = depthRange.y / (depthRange.y - depthRange.x);
-  int left = deep ? 0 : asked;
-  while (left != 0)
+  int count = asked && !deep ? 4 : 0;
+  for (int i = 0; i < count; ++i)
   {
-    int i = vtkiLowestBit(left);
     vec2 neighbor = vtkiShadowNeighbor(i);
-    vec2 place = clamp(center + neighbor, vec2(0.0f), last);
-    vec4 stored = textureLod(vtkiShadowMaps, vec3((place + 0.5f) * width, layer), 0.0f);
     // Inverse depth falls where depth grows: this is depth times the stored slope, in units of
     // depth.
-    float scale = texel * (parallel ? slope : stored.g - end);
-    vtkiVoteOnShadow(plane, place - at, stored.g, scale * vtkiUnpackSlope(stored.a),
-      vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y), i, votes);
-    left &= left - 1;
-    // If no texel sees the receiver, one that hides it is enough.
-    bool found = votes.seen == 0 && (left & before) == left && (votes.hidden > 0.0f || votes.contact);
-    left = found ? 0 : left;
+    float scale = texel * (parallel ? slope : depths.x - end);
+    vtkiVoteOnShadow(plane, first + neighbor - at, depths.x, scale * vtkiUnpackSlope(slopes.x),
+      vtkiShadowWeight(neighbor, fraction), i, votes);
+    depths = depths.yzwx; // the next texel comes first
+    slopes = slopes.yzwx;
   }
   float counted = 0.0f;
-  for (int i = 0; i < 9; ++i)
+  for (int i = 0; i < 4; ++i)
   {
     vec2 neighbor = vtkiShadowNeighbor(i);
-    vec2 place = clamp(center + neighbor, vec2(0.0f), last);
-    counted += vtkiCountsForShadow(plane, place - at, rows[i / 3][i % 3], i, votes)
-      ? vtkiShadowWeight(neighbor.x, toCenter.x) * vtkiShadowWeight(neighbor.y, toCenter.y)
+    counted += vtkiCountsForShadow(plane, first + neighbor - at, depths[i], i, votes)
+      ? vtkiShadowWeight(neighbor, fraction)
       : 0.0f;
   }
-  float seen = asked == 0 ? 1.0f : (deep ? 0.0f : vtkiShareOfShadow(counted, votes));
+  float seen = !asked ? 1.0f : (deep ? 0.0f : vtkiShareOfShadow(counted, votes));
   return mix(1.0f, seen, depthRange.z);
 }
 #endif

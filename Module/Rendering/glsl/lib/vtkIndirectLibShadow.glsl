@@ -105,24 +105,19 @@ vtkiShadowVotes vtkiBeginShadow()
   return votes;
 }
 
-/* Number of the lowest set bit, up to 24. */
-int vtkiLowestBit(int bits)
-{
-  return int((floatBitsToUint(float(bits & -bits)) >> 23u) - 127u);
-}
-
-/* The nine texels around a receiver, by number: three rows of three. */
+/* The four texels around a receiver, by number: two rows of two. */
 vec2 vtkiShadowNeighbor(int i)
 {
-  float row = i > 5 ? 1.0f : (i > 2 ? 0.0f : -1.0f);
-  return vec2(float(i) - 3.0f * row - 4.0f, row);
+  float row = i > 1 ? 1.0f : 0.0f;
+  return vec2(float(i) - 2.0f * row, row);
 }
 
-/* Weight of one of three texels, -1 to 1, of a tent at most three texels wide; toCenter: to the
- * middle texel's centre, at most half a texel. */
-float vtkiShadowWeight(float offset, float toCenter)
+/* Weight of such a texel: a tent two texels wide, so that light and shadow pass an edge by a texel
+ * at most. fraction: from the first texel's centre to the receiver, in texels, 0 to 1. */
+float vtkiShadowWeight(vec2 neighbor, vec2 fraction)
 {
-  return 0.5f * (offset == 0.0f ? 1.0f : (0.5f - offset * toCenter));
+  return (neighbor.x > 0.0f ? fraction.x : 1.0f - fraction.x) *
+    (neighbor.y > 0.0f ? fraction.y : 1.0f - fraction.y);
 }
 
 /* A texel's vote. offset: from the receiver to the texel's centre, in texels; stored: its depth;
