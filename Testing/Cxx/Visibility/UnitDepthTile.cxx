@@ -216,13 +216,14 @@ VTK_INDIRECT_TEST(DepthTileOfADirection)
   }
 }
 
-// A receiver is visible if the stored depth is behind its plane at the texel's centre, in doubles.
+// A receiver is visible if the stored depth is behind its plane at the texel's centre, in doubles;
+// a texel tells nothing where the plane comes nearer and the stored depth is half a texel behind
+// it.
 VTK_INDIRECT_TEST(DepthTileSeesOverPlanes)
 {
   Random random(17);
   int wrong = 0;
-  int seen = 0;
-  int hidden = 0;
+  int counts[3] = {}; // hidden, seen, ended
   for (int i = 0; i < 20000; ++i)
   {
     const glm::dvec3 n = random.NextDirection(); // right, up, and towards the light
@@ -236,21 +237,79 @@ VTK_INDIRECT_TEST(DepthTileSeesOverPlanes)
       continue;
     }
     // Depth grows away from the light: the plane's at the centre, not beyond the receiver's.
-    const double plane = std::min(glm::dot(glm::dvec2(n), shift) / n.z / range, 0.0);
-    const double margin = stored - (depth + plane);
-    if (std::abs(margin) < 1e-5)
+    const double rise = glm::dot(glm::dvec2(n), shift) / n.z / range;
+    const double margin = stored - (depth + std::min(rise, 0.0));
+    // A length along the normal, over the range.
+    const double half = 0.5 * std::max(texel.x, texel.y) / range;
+    const double beyond = (stored - depth - rise) * n.z - half;
+    if (std::abs(margin) < 1e-5 || std::abs(beyond) < 1e-5 || std::abs(rise) < 1e-5)
     {
       continue;
     }
+    const bool ends = rise < 0.0 && beyond > 0.0;
+    const int expected = ends ? 2 : margin > 0.0 || stored >= 1.0 ? 1 : 0;
     const glm::dvec2 slope = glm::dvec2(n) / texel * (texel * texel / (range * range));
-    const bool found =
-      vtkiIsSeenInParallelTile(static_cast<float>(stored), static_cast<float>(depth),
-        static_cast<float>(n.z / range), static_cast<float>(glm::dot(slope, shift / texel)));
-    wrong += found == (margin > 0.0 || stored >= 1.0) ? 0 : 1;
-    (found ? seen : hidden) += 1;
+    const glm::vec2 found = vtkiLookUpParallelTile(false, static_cast<float>(stored),
+      static_cast<float>(depth), static_cast<float>(n.z / range), glm::vec2(slope),
+      glm::vec2(shift / texel), static_cast<float>(half / range));
+    wrong += found == glm::vec2(expected == 1, expected != 2) ? 0 : 1;
+    ++counts[expected];
   }
   CheckEqual("otherwise than the plane says", wrong, 0);
-  Check("of both kinds", seen > 1000 && hidden > 1000);
+  Check("of all kinds", counts[0] > 1000 && counts[1] > 1000 && counts[2] > 1000);
+}
+
+// A receiver inside a closed body sees nothing outside: beyond the body's rim a texel does not tell
+// that the receiver is visible, in tiles of both kinds.
+VTK_INDIRECT_TEST(DepthTileEndsAtARim)
+{
+  Random random(31);
+  const double texel = 0.02; // at depth one
+  int leaks[2] = {};
+  int counted = 0;
+  for (int i = 0; i < 100000; ++i)
+  {
+    // A sphere around (0, 0, 1), which the light sees from the origin along z, over a far wall.
+    const double radius = 0.25;
+    const glm::dvec3 center(0.0, 0.0, 1.0);
+    const glm::dvec3 inward = random.NextDirection();
+    const glm::dvec3 p = center - radius * inward;
+    const glm::dvec2 at = glm::dvec2(p) / p.z / texel;
+    const glm::dvec3 ray(texel * (glm::floor(at) + 0.5), 1.0);
+    const double facing = glm::dot(inward, p);
+    const double nearest = glm::dot(ray, center) / glm::dot(ray, ray);
+    const bool isBeyond = glm::length(nearest * ray - center) > radius;
+    if (facing >= 0.0 || !isBeyond)
+    {
+      continue; // the body hides its back, and all that its texels show
+    }
+    ++counted;
+    const double wall = 3.0;
+    const double bias = VTKI_TILE_ROUGHNESS * texel;
+    const float inverse = static_cast<float>(1.0 / wall);
+    const float depth = static_cast<float>(p.z);
+    const float along = static_cast<float>(glm::dot(inward, ray));
+    leaks[0] += !vtkiEndsInPerspectiveTile(
+                  inverse, depth, static_cast<float>(facing), along, static_cast<float>(bias))
+      ? 1
+      : 0;
+    // The same sphere from a direction, for which the far wall is where depths end.
+    const glm::dvec2 place = glm::dvec2(p) / texel;
+    const glm::dvec2 offset = glm::floor(place) + 0.5 - place;
+    const double towards = -inward.z;
+    if (towards > 0.0 && glm::length(texel * (place + offset)) > radius)
+    {
+      const glm::vec2 found =
+        vtkiLookUpParallelTile(false, 1.0f, static_cast<float>(p.z / wall - bias / wall),
+          static_cast<float>(towards / wall), glm::vec2(glm::dvec2(inward) * texel / (wall * wall)),
+          glm::vec2(offset), static_cast<float>(0.5 * texel / (wall * wall)));
+      leaks[1] += found.x > 0.0f ? 1 : 0;
+    }
+  }
+  CheckAtLeast("texels beyond the rim", counted, 100, "the test's own power");
+  CheckAtMost("perspective: share of texels that show light",
+    static_cast<double>(leaks[0]) / counted, 0.01, "half a texel's bend");
+  CheckEqual("parallel: texels that show light", leaks[1], 0);
 }
 
 // Every occluder of a receiver has its place in the tile, also flat casters that extend beyond it.

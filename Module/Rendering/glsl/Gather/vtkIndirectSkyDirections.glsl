@@ -22,43 +22,46 @@ struct vtkiSkyDirection
   vec4 down;
   vec4 light;
   vec4 place;
+  float halfTexel; // over the range of depth, squared
 };
 
 vtkiSkyDirection vtkiFetchSkyDirection(int i)
 {
   return vtkiSkyDirection(
-    vtkiSkyRight[i], vtkiSkyUp[i], vtkiSkyDepth[i], vtkiSkyLight[i], vtkiSkyPlace[i]);
+    vtkiSkyRight[i], vtkiSkyUp[i], vtkiSkyDepth[i], vtkiSkyLight[i], vtkiSkyPlace[i],
+    0.5f * length(vtkiSkyDepth[i].xyz) * sqrt(max(vtkiSkyPlace[i].z, vtkiSkyPlace[i].w)));
 }
 
 #ifdef VTKI_VISIBILITY
 uniform sampler2D vtkiDepthTiles;
 uniform vec3 vtkiTileShape; // columns and rows of tiles in the atlas, texels along an edge of a tile
 
-// True if the sky is visible over one texel of a direction's tile. first: the tile's first texel;
-// at: the receiver's place, centre: the texel's, in the tile; slope: of the receiver's plane, see
-// vtkiIsSeenInParallelTile.
-bool vtkiIsSkySeen(vec2 first, vec2 at, vec2 centre, float depth, float facing, vec2 slope)
+// Answer of one texel of a direction's tile, see vtkiLookUpParallelTile: 1 if the sky is visible
+// over it, and 1 if it answers. first: the tile's first texel; at: the receiver's place, centre: the
+// texel's, in the tile; slope: of the receiver's plane.
+vec2 vtkiLookUpSky(vec2 first, vec2 at, vec2 centre, float depth, float facing, vec2 slope, float bend)
 {
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
   float stored = textureLod(vtkiDepthTiles,
     (first + centre) * (1.0f / (vtkiTileShape.xy * vtkiTileShape.z)), 0.0f).r;
   // There are no casters beyond the tile's border.
   vec2 beyond = abs(centre - 0.5f * vtkiTileShape.z);
-  return max(beyond.x, beyond.y) > 0.5f * vtkiTileShape.z ||
-    vtkiIsSeenInParallelTile(stored, depth, facing, dot(slope, centre - at));
+  return vtkiLookUpParallelTile(
+    max(beyond.x, beyond.y) > 0.5f * vtkiTileShape.z, stored, depth, facing, slope, centre - at, bend);
 }
 #endif
 
 // Irradiance, and in the fourth component its unoccluded sum over the colours. facet: the normal of
 // the receiver's plane. Directions below that plane and above the shading normal's horizon take no
-// part: the curved surface that facets approximate does not hide them.
+// part: the curved surface that facets approximate does not hide them. Nor do directions whose tile
+// does not answer: the others represent them.
 vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet)
 {
   float facing = max(-dot(normal, sky.down.xyz), 0.0f);
 #ifndef VTKI_FILTERED
   facing = dot(facet, sky.down.xyz) < 0.0f ? facing : 0.0f;
 #endif
-  float seen = 1.0f;
+  vec2 answer = vec2(1.0f);
 #ifdef VTKI_VISIBILITY
   vec2 at = vec2(
     dot(sky.right.xyz, position) + sky.right.w, dot(sky.up.xyz, position) + sky.up.w);
@@ -70,15 +73,15 @@ vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet)
   // Blend of the four nearest texels, which widens the shadow's edge to a texel.
   vec2 first = floor(at - 0.5f) + 0.5f;
   vec2 blend = at - first;
-  vec4 four = vec4(vtkiIsSkySeen(tile, at, first, depth, open, slope),
-    vtkiIsSkySeen(tile, at, first + vec2(1.0f, 0.0f), depth, open, slope),
-    vtkiIsSkySeen(tile, at, first + vec2(0.0f, 1.0f), depth, open, slope),
-    vtkiIsSkySeen(tile, at, first + 1.0f, depth, open, slope));
-  vec2 rows = mix(four.xz, four.yw, blend.x);
-  seen = mix(rows.x, rows.y, blend.y);
+  vec2 lower = mix(vtkiLookUpSky(tile, at, first, depth, open, slope, sky.halfTexel),
+    vtkiLookUpSky(tile, at, first + vec2(1.0f, 0.0f), depth, open, slope, sky.halfTexel), blend.x);
+  vec2 upper = mix(vtkiLookUpSky(tile, at, first + vec2(0.0f, 1.0f), depth, open, slope, sky.halfTexel),
+    vtkiLookUpSky(tile, at, first + 1.0f, depth, open, slope, sky.halfTexel), blend.x);
+  answer = mix(lower, upper, blend.y);
+  answer.x /= max(answer.y, 1.0e-6f);
 #else
-  seen = vtkiIsSkySeen(tile, at, floor(at) + 0.5f, depth, open, slope) ? 1.0f : 0.0f;
+  answer = vtkiLookUpSky(tile, at, floor(at) + 0.5f, depth, open, slope, sky.halfTexel);
 #endif
 #endif
-  return vec4((facing * seen) * sky.light.rgb, facing * sky.light.w);
+  return facing * vec4(answer.x * sky.light.rgb, answer.y * sky.light.w);
 }

@@ -51,8 +51,9 @@ bool vtkiIsSeenInView(
   float inverse = range.x - stored * (range.x - range.y);
   float along = dot(view.normal.xy, ray) + view.normal.z;
   float bias = VTKI_TILE_ROUGHNESS * max(tangents.x * perHalf.x, tangents.y * perHalf.y);
-  return outside || stored >= 1.0f ||
-    vtkiIsSeenInPerspectiveTile(inverse, view.away.z, dot(view.normal, view.away), along, bias);
+  float facing = dot(view.normal, view.away);
+  return outside || (!vtkiEndsInPerspectiveTile(inverse, view.away.z, facing, along, bias) &&
+    (stored >= 1.0f || vtkiIsSeenInPerspectiveTile(inverse, view.away.z, facing, along, bias)));
 }
 
 // middle: of the tile's forward view in the atlas; away, normal: the vector from the virtual light

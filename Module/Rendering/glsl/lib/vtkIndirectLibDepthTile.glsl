@@ -102,15 +102,34 @@ bool vtkiIsSeenInPerspectiveTile(
   return depth <= VTKI_TILE_NEAR || least * inverse <= 1.0f || onPlane;
 }
 
-/* True if a parallel tile shows the receiver from its light: compares the value stored at a
- * texel's centre, [0,1], with the depth of the receiver's own plane there. depth: the receiver's,
- * less the bias; facing: its cosine towards the light over the range of depth; rise: by how much
- * nearer to the light, over that range, the plane is at the texel's centre than at the receiver,
- * times facing. The plane counts only where it comes nearer: a plane that recedes from the light
- * does not extend behind the end of the surface. A stored 1 means no caster. Needs no division,
- * because a sky has hundreds of these tests at a pixel. */
-bool vtkiIsSeenInParallelTile(float stored, float depth, float facing, float rise)
+/* True if the receiver's surface ends before the texel's centre, as beyond the rim of a closed body
+ * with the receiver inside: the receiver's plane comes nearer to the light there, and the tile
+ * shows something farther behind the plane than half a texel, by which a surface may bend away.
+ * Such a texel does not tell what hides the receiver. Values are those of
+ * vtkiIsSeenInPerspectiveTile. Needs no division. */
+bool vtkiEndsInPerspectiveTile(float inverse, float depth, float facing, float along, float bias)
 {
-  return stored >= 1.0f || (stored - depth) * facing >= min(rise, 0.0f);
+  float bend = (0.5f / VTKI_TILE_ROUGHNESS) * bias * depth;
+  return along * depth < facing && along < (facing - bend) * inverse;
+}
+
+/* Answer of a texel of a parallel tile: 1 if the tile shows the receiver from its light, and 1 if
+ * the texel tells whether it does. Compares the value stored at the texel's centre, [0,1], with the
+ * depth of the receiver's own plane there. outside: the texel lies beyond the tile's border, where
+ * no casters are; depth: the receiver's, less the bias; facing: its cosine towards the light over
+ * the range of depth; slope: change of the plane's depth over a texel, times facing; offset: from
+ * the receiver to the centre in texels; bend: half a texel along the normal, in the same units.
+ *   The plane counts only where it comes nearer: a plane that recedes from the light does not
+ * extend behind the end of the surface. A stored 1 means no caster. The texel does not tell where
+ * the surface ends before the texel's centre, see vtkiEndsInPerspectiveTile. Needs no division,
+ * because a sky has hundreds of these tests at a pixel. */
+vec2 vtkiLookUpParallelTile(
+  bool outside, float stored, float depth, float facing, vec2 slope, vec2 offset, float bend)
+{
+  float rise = slope.x * offset.x + slope.y * offset.y;
+  float behind = (stored - depth) * facing;
+  bool seen = outside || stored >= 1.0f || behind >= min(rise, 0.0f);
+  bool ended = !outside && rise < 0.0f && behind - rise > bend;
+  return vec2(seen && !ended ? 1.0f : 0.0f, ended ? 0.0f : 1.0f);
 }
 #endif
