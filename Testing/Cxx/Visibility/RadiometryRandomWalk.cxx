@@ -209,6 +209,38 @@ VTK_INDIRECT_TEST(WalkScales)
   }
 }
 
+// Vertices of later bounces carry about the same light, so that no few of them decide how bright a
+// crease is: the number of equal vertices with the same variance is near the number of vertices.
+VTK_INDIRECT_TEST(WalkEqualLight)
+{
+  WalkScene scene;
+  scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { 0.9, 0.9, 0.9 });
+  scene.AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.9, 0.1, 0.1 });
+  scene.AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.1, 0.1, 0.9 });
+  scene.SetEye({ 2.2, 1.6, 2.3 }, { 0.4, 0.3, 0.4 }, { 0, 1, 0 }, 36, 0.5, 6);
+  scene.AddPoint({ 0.3, 0.4, 0.2 }, { 1, 0, 0 });
+  scene.Walk->SetFirstBounce(2);
+  scene.UseWalk(32768, 16);
+  const glm::dvec3 flux = scene.GetReflectedFlux();
+  double sum = 0.0;
+  double squares = 0.0;
+  const std::vector<VirtualLight> lights = scene.CopyLights();
+  for (const VirtualLight& light : lights)
+  {
+    const double largest =
+      std::max({ light.DensityArea.x, light.DensityArea.y, light.DensityArea.z });
+    sum += largest;
+    squares += largest * largest;
+  }
+  CheckAtLeast("number of equal vertices over the number of vertices",
+    sum * sum / squares / static_cast<double>(lights.size()), 0.65,
+    "colours that reflect 0.1 to 0.9 of each other, and distances from the light that differ by a "
+    "factor of 5");
+  scene.UseWalk(262144, 16);
+  CheckFlux("as much light as of many vertices", flux, scene.GetReflectedFlux(), 0.03);
+  scene.Walk->SetFirstBounce(1);
+}
+
 // A small motion of a light moves its virtual lights by little; frames that do not change the light
 // keep them.
 VTK_INDIRECT_TEST(WalkMovesSmoothly)

@@ -311,10 +311,12 @@ glm::dvec3 vtkIndirectRandomWalk::Emission::FindStrength(
 
 //------------------------------------------------------------------------------
 vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfaces& surfaces,
-  const Emission& emission, int place, size_t paths, int firstBounce, int lastBounce) const
+  const Emission& emission, int place, size_t paths, double flux, int firstBounce,
+  int lastBounce) const
 {
   const size_t blocks = (paths + PathsAtATime - 1) / PathsAtATime;
   std::vector<List> found(blocks);
+  const double most = flux / static_cast<double>(paths);
   const auto walk = [&](size_t path, List& list)
   {
     const uint32_t number = static_cast<uint32_t>(path);
@@ -369,7 +371,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
         return;
       }
       const uint32_t dimension = seed + 2u * static_cast<uint32_t>(bounce);
-      const double onward = std::min(Largest(meeting.Albedo), 1.0);
+      const double onward = std::min(Largest(carried) / most, 1.0);
       if (!(ScrambledPoint(number, dimension).x < onward))
       {
         return;
@@ -483,15 +485,28 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
   // A few paths of each light tell how much of its light is reflected, and how many vertices a path
   // has.
   std::vector<double> powers;
+  std::vector<double> fluxes;
   std::vector<double> lengths;
   double total = 0.0;
   for (size_t i = 0; i < emitters.size(); ++i)
   {
     const Emission emission(frame, emitters[i]);
-    const List pilot = emission.IsDark()
-      ? List()
-      : this->Trace(surfaces, emission, static_cast<int>(i), PilotPaths,
-          std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce);
+    const int place = static_cast<int>(i);
+    // The mean flux of first vertices, weighted by that flux itself: it differs with the distance
+    // from the light and with the albedo.
+    double sum = 0.0;
+    double squares = 0.0;
+    for (const Vertex& vertex :
+      emission.IsDark() ? List() : this->Trace(surfaces, emission, place, PilotPaths, 1.0, 1, 1))
+    {
+      sum += Largest(vertex.DensityArea);
+      squares += Largest(vertex.DensityArea) * Largest(vertex.DensityArea);
+    }
+    fluxes.push_back(sum > 0.0 ? squares / sum * PilotPaths : 0.0);
+    const List pilot = sum > 0.0
+      ? this->Trace(surfaces, emission, place, PilotPaths, fluxes.back(),
+          std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce)
+      : List();
     double power = 0.0;
     for (const Vertex& vertex : pilot)
     {
@@ -516,8 +531,9 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
     // The number of paths changes in steps, so that a light that moves a little keeps its paths.
     const size_t step = share > 256.0 ? 16 : 1;
     const size_t paths = std::max<size_t>(static_cast<size_t>(share) / step * step, 1);
-    const List found = this->Trace(surfaces, Emission(frame, emitters[i]), static_cast<int>(i),
-      paths, std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce);
+    const List found =
+      this->Trace(surfaces, Emission(frame, emitters[i]), static_cast<int>(i), paths, fluxes[i],
+        std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce);
     this->Vertices.insert(this->Vertices.end(), found.begin(), found.end());
     this->NumberOfPaths += paths;
   }

@@ -5,9 +5,10 @@
 // "Instant radiosity").
 //
 // Weights are exact: the sum over all vertices of a bounce is an unbiased estimate of the light
-// that surfaces reflect after this many bounces. A path goes on with the probability of its
-// albedo's largest colour, and carries the light that ended paths would have carried. A vertex
-// represents:
+// that surfaces reflect after this many bounces. A path that carries less light than most others
+// goes on with a probability, and then carries the light that ended paths would have carried: as
+// much as the others, whatever the albedos, colours and distances before. So no few vertices decide
+// how bright a surface is, which would be bright spots in creases. A vertex represents:
 //
 //   first bounce   rays are uniform in the light's solid angle (or over the area that a directional
 //                  light shines through, or by the power of a spot's cosine): the share w of one
@@ -70,8 +71,12 @@ private:
   class Emission;
   using List = std::vector<Vertex>;
 
+  /**
+   * Traces paths of one emitter. A path that carries less than its share of `flux` goes on with the
+   * probability that keeps this share.
+   */
   List Trace(const vtkIndirectSurfaces& surfaces, const Emission& emission, int place, size_t paths,
-    int firstBounce, int lastBounce) const;
+    double flux, int firstBounce, int lastBounce) const;
   void FindAreas();
   void FindTail(int lastBounce);
 
