@@ -7,11 +7,8 @@
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyChannels.h"
-#include "vtkOpenGLShaderCache.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 
@@ -25,8 +22,6 @@ constexpr int SharedTile = vtkIndirectKernels::VTKI_PROXY_TILE;
 constexpr int SharedBlock = vtkIndirectKernels::VTKI_PROXY_BLOCK;
 // First image unit of images of pixels, after those of receivers.
 constexpr int PixelUnit = 4;
-// Entries in one draw: long draws stall a desktop.
-constexpr int EntriesPerDraw = 16 * RowLength;
 enum ModeType
 {
   COARSE,
@@ -34,16 +29,6 @@ enum ModeType
   REST,
   SENDERS
 };
-
-#ifdef GL_COMPUTE_SHADER
-// The next user of the images may sample them, draw over them, add to them, read them back or
-// replace them.
-void FinishImages()
-{
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-}
-#endif
 
 }
 
@@ -54,7 +39,6 @@ vtkIndirectProxySums::vtkIndirectProxySums()
   , Coarse(CoarseChannels)
   , Shared(SharedChannels, false)
   , Counts(CountChannels, false)
-  , Blended(BlendedChannels, false)
 {
 }
 
@@ -104,9 +88,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   {
     vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
     vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->AllLight;
-    kernel.SetDefinitions(i > 0    ? "#define VTKI_PROXY_MEANS\n"
-        : this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n"
-                                   : "");
+    kernel.SetDefinitions(i > 0 ? "#define VTKI_PROXY_MEANS\n" : "");
     vtkShaderProgram* program = kernel.Use(window);
     if (!program)
     {
@@ -163,7 +145,6 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   this->Tables.Activate(program);
   vtkIndirectProxyTreeTables::SetTexelSize(program, "vtkiLightScale", this->AllLight);
   program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
-  program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
 }
 
 //------------------------------------------------------------------------------
@@ -216,9 +197,8 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
   }
   if (!vtkIndirectComputeProgram::IsSupported())
   {
-    return this->SumBlended(input, definitions, image);
+    return this->SumInFragments(input, definitions, image);
   }
-  this->Blended.Release(frame.Window);
   if (!coarse)
   {
     return this->SumInTiles(input, definitions, image, PIXELS);
@@ -245,7 +225,6 @@ bool vtkIndirectProxySums::SumRest(
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& image)
 {
-#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   vtkShaderProgram* program = this->Choosing.Use(frame.Window);
   if (!program)
@@ -256,32 +235,19 @@ bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& ima
   this->Rest.Begin(frame.Window, 2 * pixels);
   this->Activate(input, program);
   this->Rest.Activate(program, "vtkiProxyPixels");
-  glBindImageTexture(
-    0, image.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  glBindImageTexture(
-    1, this->Counts.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32F);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  glDispatchCompute(static_cast<GLuint>((this->Counts.GetWidth() + SharedTile - 1) / SharedTile),
-    static_cast<GLuint>((this->Counts.GetHeight() + SharedTile - 1) / SharedTile), 1);
-  glMemoryBarrier(
-    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-  for (GLuint i = 0; i < 2; ++i)
-  {
-    glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  }
+  // A second channel is not read: the image of counts takes its unit.
+  this->Choosing.AddImages(image);
+  this->Choosing.AddImages(this->Counts, 1);
+  this->Choosing.Run(this->Counts.GetWidth(), this->Counts.GetHeight(), SharedTile);
   this->Rest.Deactivate();
   this->Deactivate(input);
   return true;
-#else
-  return image.GetWidth() > 0 && input.Step > 0;
-#endif
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::ShareRest(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
-#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   this->Sharing.SetDefinitions(definitions);
   vtkShaderProgram* program = this->Sharing.Use(frame.Window);
@@ -295,45 +261,25 @@ bool vtkIndirectProxySums::ShareRest(
   {
     this->Shared.Activate(i, program);
   }
-  this->BindImages(image, 0, true);
+  this->Sharing.AddImages(image);
   this->Rest.Activate(program, "vtkiProxyPixels");
-  this->Rest.Dispatch(1);
+  this->Sharing.Run(this->Rest, 1);
   this->Rest.Deactivate();
-  FinishImages();
-  this->BindImages(image, 0, false);
   this->Counts.Deactivate();
   this->Shared.Deactivate();
   this->Deactivate(input);
   return true;
-#else
-  return image.GetWidth() > 0 && definitions.empty() && input.Step > 0;
-#endif
-}
-
-//------------------------------------------------------------------------------
-// Binds all channels of a target as images from a unit on, or unbinds them.
-void vtkIndirectProxySums::BindImages(vtkIndirectTarget& target, int unit, bool binds)
-{
-#ifdef GL_COMPUTE_SHADER
-  for (int i = 0; i < target.GetNumberOfChannels(); ++i)
-  {
-    glBindImageTexture(static_cast<GLuint>(unit + i), binds ? target.GetTexture(i)->GetHandle() : 0,
-      0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  }
-#endif
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::SumInTiles(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode)
 {
-#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  this->Tiles[mode].SetDefinitions(definitions +
-    (this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n" : "") +
-    (mode == PIXELS ? "#define VTKI_PROXY_PIXELS\n" : "") +
+  vtkIndirectComputeProgram& kernel = this->Tiles[mode];
+  kernel.SetDefinitions(definitions + (mode == PIXELS ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
-  vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
+  vtkShaderProgram* program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -346,106 +292,37 @@ bool vtkIndirectProxySums::SumInTiles(
     : mode == SENDERS                    ? senders
                                          : frame.Size;
   const bool ofPixels = mode == PIXELS || mode == REST;
-  const auto bind = [&](bool binds)
-  {
-    this->BindImages(image, ofPixels ? PixelUnit : 0, binds);
-    if (mode == REST)
-    {
-      this->BindImages(this->Shared, 0, binds);
-    }
-  };
-  bind(true);
-  // Waits for the kernel's inputs, which llvmpipe does not do by itself.
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  kernel.AddImages(image, ofPixels ? PixelUnit : 0);
   if (mode == REST)
   {
+    kernel.AddImages(this->Shared);
     this->Rest.Activate(program, "vtkiProxyPixels");
-    this->Rest.Dispatch(0);
+    kernel.Run(this->Rest, 0);
     this->Rest.Deactivate();
   }
   else
   {
-    glDispatchCompute(static_cast<GLuint>((size[0] + TileSize - 1) / TileSize),
-      static_cast<GLuint>((size[1] + TileSize - 1) / TileSize), 1);
-  }
-  FinishImages();
-  bind(false);
-  this->Deactivate(input);
-  return true;
-#else
-  return image.GetWidth() > 0 && mode >= 0 && definitions.empty() && input.Step > 0;
-#endif
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definitions)
-{
-  const vtkIndirectFrame& frame = input.Frame;
-  vtkIndirectTarget& target = this->Blended;
-  if (!target.Resize(frame.Window, this->CoarseSize[0], this->CoarseSize[1]))
-  {
-    return false;
-  }
-  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatVS.glsl", definitions).c_str(),
-    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatFS.glsl", definitions).c_str(), "");
-  if (!program || !program->GetCompiled())
-  {
-    return false;
-  }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-  state->vtkglDisable(GL_CULL_FACE);
-  target.Begin();
-  target.Clear();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  this->Activate(input, program);
-  vtkIndirectSetUniform(program, "vtkiSceneToClip", frame.FindSceneToClip());
-  vtkIndirectSetUniform(program, "vtkiProxyMargin",
-    glm::vec2(4.0f / static_cast<float>(this->CoarseSize[0]),
-      4.0f / static_cast<float>(this->CoarseSize[1])));
-  const int attribute = program->FindAttributeArray("vtkiCorner");
-  for (int first = 0; first < this->Tables.GetNumberOfEntries(); first += EntriesPerDraw)
-  {
-    program->SetUniformi("vtkiFirstProxy", first);
-    this->Mesh.Draw(frame.Window, attribute, true,
-      std::min(EntriesPerDraw, this->Tables.GetNumberOfEntries() - first));
-    glFlush();
+    kernel.Run(size[0], size[1], TileSize);
   }
   this->Deactivate(input);
-  state->vtkglDisable(GL_BLEND);
-  target.End();
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxySums::SumBlended(
+bool vtkIndirectProxySums::SumInFragments(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
-  const vtkIndirectFrame& frame = input.Frame;
-  if (!this->Splat(input, definitions))
-  {
-    return false;
-  }
   const bool coarse = input.Step > 1;
   vtkIndirectTarget& target = coarse ? this->Coarse : image;
-  vtkShaderProgram* program =
-    this->Resolving.Use(frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
+  vtkShaderProgram* program = this->Summing.Use(
+    input.Frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
   if (!program)
   {
     return false;
   }
   target.Begin();
   this->Activate(input, program);
-  for (int i = 0; i < this->Blended.GetNumberOfChannels(); ++i)
-  {
-    this->Blended.Activate(i, program);
-  }
-  this->Resolving.Draw();
-  this->Blended.Deactivate();
+  this->Summing.Draw();
   this->Deactivate(input);
   target.End();
   return !coarse || this->Upsample(input, definitions + "#define VTKI_PROXY_GATHER\n", image);
@@ -491,11 +368,9 @@ bool vtkIndirectProxySums::Upsample(
 //------------------------------------------------------------------------------
 size_t vtkIndirectProxySums::GetBytes() const
 {
-  size_t bytes = this->Tables.GetBytes() + this->Mesh.GetBytes() + this->Light.GetBytes() +
-    this->Rest.GetBytes();
-  for (const vtkIndirectTarget* target :
-    std::initializer_list<const vtkIndirectTarget*>{ &this->SenderLight, &this->AllLight,
-      &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
+  size_t bytes = this->Tables.GetBytes() + this->Light.GetBytes() + this->Rest.GetBytes();
+  for (const vtkIndirectTarget* target : std::initializer_list<const vtkIndirectTarget*>{
+         &this->SenderLight, &this->AllLight, &this->Coarse, &this->Shared, &this->Counts })
   {
     bytes += target->GetBytes();
   }
@@ -505,14 +380,13 @@ size_t vtkIndirectProxySums::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectProxySums::Release(vtkWindow* window)
 {
-  for (vtkIndirectTarget* target : std::initializer_list<vtkIndirectTarget*>{ &this->SenderLight,
-         &this->AllLight, &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
+  for (vtkIndirectTarget* target : std::initializer_list<vtkIndirectTarget*>{
+         &this->SenderLight, &this->AllLight, &this->Coarse, &this->Shared, &this->Counts })
   {
     target->Release(window);
   }
   this->Tables.Release(window);
   this->Light.Release();
-  this->Mesh.Release();
   this->Rest.Release();
   this->Choosing.Release(window);
   this->Sharing.Release(window);
@@ -522,7 +396,7 @@ void vtkIndirectProxySums::Release(vtkWindow* window)
   }
   this->Upsampling.Release();
   this->Background.Release();
-  this->Resolving.Release();
+  this->Summing.Release();
   this->Sending.Release();
   this->Averaging.Release();
   this->Changed = true;
