@@ -360,6 +360,19 @@ VTK_INDIRECT_TEST(HintsPaper)
   scene.Render();
   CheckAtMost("the eye's depth takes light away", scene.Copy("irradiance").Mean(), 0.98 * seen,
     "some ways are hidden from the eye");
+  scene.Hints->DepthOcclusionOff();
+  scene.Renderer->GetActiveCamera()->Azimuth(-40.0);
+  SET_DETAIL(scene.Hints, Coverage, 0.2);
+  scene.Render();
+  CheckAtMost("what a fifth of the map sends", scene.Copy("irradiance").Mean(), plain.Mean(),
+    "the rest is lost");
+  SET_DETAIL(scene.Hints, Coverage, 1.0);
+  SET_DETAIL(scene.Hints, LookupRotation, true);
+  scene.Render();
+  Check("rotation changes pixels",
+    CountSame(plain, scene.Copy("irradiance")) < static_cast<int>(plain.Values.size()));
+  CheckRelative("rotation keeps the mean", scene.Copy("irradiance").Mean(), plain.Mean(), 0.05,
+    "the same hints from other sides");
 }
 
 VTK_INDIRECT_TEST(HintsHeadlight)

@@ -16,6 +16,9 @@ struct vtkIndirectHintDetails
   // hint.
   bool Dense = true;
   int BlocksPerEdge = 24; // dense: along an edge of a map's face
+  // Sampled: share of a map's area, around the hint's own place in it, for the samples. Light from
+  // outside is lost.
+  double Coverage = 1.0;
   // Makes a sender at least as large as a share of the hint's cell, whose inside one hint does not
   // resolve, by moving the hint back from the sender's plane.
   bool Softening = true;
@@ -40,6 +43,7 @@ struct vtkIndirectHintDetails
   // 1: half a cell above the surface; or 4, the paper's: one above and three at 80 degrees on a
   // hemisphere as wide as a cell's diagonal.
   int NumberOfLookups = 1;
+  bool LookupRotation = false; // the four turn from pixel to pixel, which adds noise
   // Section 8, DepthOcclusion: tested points on each segment, and the share left by a hidden one.
   int NumberOfDepthSamples = 5;
   double DepthAttenuation = 0.6;

@@ -61,8 +61,9 @@ std::string GetDefinitions(int layout, bool occupancy, int grids)
 std::string vtkIndirectHintFields::GetLookupDefinitions(const Settings& settings, int grids)
 {
   return GetDefinitions(settings.Layout, settings.Visibility, grids) +
-    Define("VTKI_LOOKUPS", settings.NumberOfLookups) + Define("VTKI_LOBES", settings.Deringing) +
-    Define("VTKI_FACING", settings.FacingWeights);
+    Define("VTKI_LOOKUPS", settings.NumberOfLookups) +
+    Define("VTKI_LOOKUP_ROTATION", settings.LookupRotation) +
+    Define("VTKI_LOBES", settings.Deringing) + Define("VTKI_FACING", settings.FacingWeights);
 }
 
 //------------------------------------------------------------------------------
@@ -172,6 +173,7 @@ bool vtkIndirectHintFields::Inject(
     program->SetUniformi("vtkiLayerCount", layers);
     program->SetUniformi(
       "vtkiSampleCount", std::max(1, (settings.NumberOfSamples + layers - 1) / layers));
+    program->SetUniformf("vtkiCoverage", static_cast<float>(settings.Coverage));
   }
   program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
   program->SetUniformf(

@@ -16,7 +16,7 @@ void main()
   ivec2 pixel = vtkiSamplePixel(coarse);
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver);
-  vec3 e = max(vtkiHintIrradiance(receiver.position, receiver.normal, lit), vec3(0.0f));
+  vec3 e = max(vtkiHintIrradiance(receiver.position, receiver.normal, coarse, lit), vec3(0.0f));
 #ifdef VTKI_KEEP
   vec4 last = texelFetch(vtkiLast, coarse, 0);
   e = last.a > 0.5f ? mix(e, last.rgb, vtkiKeep) : e;

@@ -44,7 +44,8 @@ void vtkiFindOpen(vec3 place, vec3 normal, out vec3 open, out vec3 aside)
 // Settings as literals, so that no code is evaluated for those that are off. These are the
 // defaults.
 #ifndef VTKI_LOOKUPS
-#define VTKI_LOOKUPS 1 // 1, or 4: one above and three at 80 degrees (Eq. 7)
+#define VTKI_LOOKUPS 1         // 1, or 4: one above and three at 80 degrees (Eq. 7)
+#define VTKI_LOOKUP_ROTATION 0 // 1: the three turn from pixel to pixel
 #define VTKI_LOBES 1
 #define VTKI_FACING 1 // 1: hints behind senders weigh less
 #endif
@@ -94,7 +95,7 @@ float vtkiFineShare(vec3 position)
   return clamp(0.5f * min(min(inside.x, inside.y), inside.z), 0.0f, 1.0f);
 }
 
-vec3 vtkiHintIrradiance(vec3 position, vec3 normal, bool needed)
+vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
 {
   vtkiField sum = vtkiZeroField();
   float total = 0.0f;
@@ -102,6 +103,9 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, bool needed)
   vec3 helper = abs(normal.x) < 0.5f ? vec3(1.0f, 0.0f, 0.0f) : vec3(0.0f, 1.0f, 0.0f);
   vec3 tangent = normalize(cross(helper, normal));
   vec3 bitangent = cross(normal, tangent);
+  float turn = VTKI_LOOKUP_ROTATION != 0
+    ? 6.2831853f * vtkiSpread(0, uint(pixel.x * 4099 + pixel.y)).x
+    : 0.0f;
 #ifdef VTKI_HINT_OCCUPANCY
   vec3 open;
   vec3 aside;
@@ -130,7 +134,7 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, bool needed)
       vec3 offset = 0.5f * dot(abs(normal), cell) * normal;
       if (VTKI_LOOKUPS > 1)
       {
-        float angle = 2.0943951f * float(lookup);
+        float angle = turn + 2.0943951f * float(lookup);
         offset = lookup == 0
           ? 1.5f * diagonal * normal
           : diagonal * ((0.5f + 0.17364818f) * normal +

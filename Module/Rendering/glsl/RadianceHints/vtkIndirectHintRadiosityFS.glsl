@@ -15,7 +15,7 @@ void main()
   bool there = vtkiTableEntry(at) < vtkiSurfelCount;
   vec3 normal = texelFetch(vtkiSurfelNormal, at, 0).xyz;
   vec3 e = vtkiHintIrradiance(texelFetch(vtkiSurfelPosition, at, 0).xyz,
-    there ? normal : vec3(0.0f, 0.0f, 1.0f), there);
+    there ? normal : vec3(0.0f, 0.0f, 1.0f), at, there);
   vec3 albedo =
     vtkiMeanAlbedo.w > 0.0f ? vtkiMeanAlbedo.rgb : texelFetch(vtkiSurfelAlbedo, at, 0).rgb;
   gl_FragData[0] = vec4(there ? albedo * max(e, vec3(0.0f)) : vec3(0.0f), 1.0f);
