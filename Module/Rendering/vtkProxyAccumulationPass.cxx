@@ -12,16 +12,20 @@
 #include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyLight.h"
+#include "Proxies/vtkIndirectProxyReach.h"
 #include "Proxies/vtkIndirectProxyScene.h"
 #include "Proxies/vtkIndirectProxyStep.h"
 #include "Proxies/vtkIndirectProxySums.h"
 #include "Proxies/vtkIndirectProxyTree.h"
 #include "vtkDataArray.h"
+#include "vtkEnvironmentLight.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkProp.h"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkProxyAccumulationPass);
@@ -34,6 +38,14 @@ const vtkIndirectChannel SkyChannels[] = {
   { "bounce", "vtkiIrradiance", "irradiance that proxies send", GL_RGBA32F, "-", "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+
+// Clamps a scale to 0, or to a valid number of radii.
+double ClampScale(double scale)
+{
+  return scale > 0.0
+    ? std::min(std::max(scale, vtkIndirectProxyReach::Least), vtkIndirectProxyReach::Most)
+    : 0.0;
+}
 
 class ProxySum : public vtkIndirectSum
 {
@@ -66,6 +78,9 @@ public:
   vtkIndirectProxyScene::Given Given;
   vtkIndirectProxyScene Scene;
   int Step = 0; // step of the last frame
+  // Radii within which a sphere hides and sends light, without groups.
+  double Hides = 0.0;
+  double Sends = 0.0;
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
@@ -73,6 +88,8 @@ protected:
 
 private:
   bool Sum(const Input& input);
+  bool FindReach(vtkEnvironmentLight* environment);
+  std::string DescribeReach() const;
 
   vtkProxyAccumulationPass& Set;
   vtkIndirectProxyTree Tree;
@@ -82,6 +99,11 @@ private:
   bool TreeIsThere = false;
   vtkIndirectProxyStep StepBySpheres;
   glm::dvec3 Eye{ 0.0 }; // the eye when the tree was built, in scene units
+  // Without groups: the reach that an environment needs, and its inputs.
+  vtkIndirectProxyReach Needed;
+  vtkEnvironmentLight* Environment = nullptr; // compared only
+  vtkMTimeType EnvironmentTime = 0;
+  bool IsOfMiddle = false;
 };
 }
 
@@ -105,8 +127,33 @@ void ProxySum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* 
   static const char* const levels[] = { "Off", "Middle", "Averaged", "Shadowed", "Exact" };
   this->vtkIndirectSum::AddSettings(list, plan);
   list.Add("ReceiverStep", plan ? this->Step : this->Set.GetReceiverStep())
+    .Add("Groups", this->Set.GetGroups())
     .Add("GroupAngle", this->Set.GetGroupAngle())
+    .Add("InfluenceScale", plan ? this->Hides : this->Set.GetInfluenceScale())
+    .Add("IndirectInfluenceScale", plan ? this->Sends : this->Set.GetIndirectInfluenceScale())
     .Add("IndirectLight", vtkIndirectSettingList::Choice{ levels[this->Set.GetIndirectLight()] });
+}
+
+//------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::SetInfluenceScale(double scale)
+{
+  const double clamped = ClampScale(scale);
+  if (this->Settings.InfluenceScale != clamped)
+  {
+    this->Settings.InfluenceScale = clamped;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::SetIndirectInfluenceScale(double scale)
+{
+  const double clamped = ClampScale(scale);
+  if (this->Settings.IndirectInfluenceScale != clamped)
+  {
+    this->Settings.IndirectInfluenceScale = clamped;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -177,6 +224,18 @@ int vtkProxyAccumulationPass::GetActiveReceiverStep() const
 }
 
 //------------------------------------------------------------------------------
+double vtkProxyAccumulationPass::GetActiveInfluenceScale() const
+{
+  return ProxySum::Get(this).Hides;
+}
+
+//------------------------------------------------------------------------------
+double vtkProxyAccumulationPass::GetActiveIndirectInfluenceScale() const
+{
+  return ProxySum::Get(this).Sends;
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectAbilities ProxySum::GetAbilities(double tolerance) const
 {
   vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
@@ -202,6 +261,31 @@ vtkIndirectEstimate ProxySum::Estimate(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+// Returns true if spheres hide light within other radii than in the last frame.
+bool ProxySum::FindReach(vtkEnvironmentLight* environment)
+{
+  const double before = this->Hides;
+  this->Hides = this->Set.GetGroups() ? 0.0 : this->Set.GetInfluenceScale();
+  this->Sends = this->Set.GetGroups() ? 0.0 : this->Set.GetIndirectInfluenceScale();
+  if (!this->Set.GetGroups() && environment && (this->Hides <= 0.0 || this->Sends <= 0.0))
+  {
+    const bool middle = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::MIDDLE;
+    if (environment != this->Environment || environment->GetMTime() != this->EnvironmentTime ||
+      middle != this->IsOfMiddle)
+    {
+      this->Needed =
+        vtkIndirectProxyReach::Find(vtkIndirectProxyLight::Project(environment), middle);
+      this->Environment = environment;
+      this->EnvironmentTime = environment->GetMTime();
+      this->IsOfMiddle = middle;
+    }
+    this->Hides = this->Hides > 0.0 ? this->Hides : this->Needed.Hides;
+    this->Sends = this->Sends > 0.0 ? this->Sends : this->Needed.Sends;
+  }
+  return this->Hides != before;
+}
+
+//------------------------------------------------------------------------------
 bool ProxySum::Sum(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
@@ -216,11 +300,14 @@ bool ProxySum::Sum(const Input& input)
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool moved = this->Scene.Update(frame, this->Given, &this->Set);
   this->Eye = glm::dvec3(frame.ViewToScene[3]);
-  const bool rebuilds = moved || !this->TreeIsThere || this->TreeTime != this->Set.GetMTime();
+  const bool reaches = this->FindReach(input.Environment);
+  const bool rebuilds =
+    moved || reaches || !this->TreeIsThere || this->TreeTime != this->Set.GetMTime();
   bool done = true;
   if (rebuilds)
   {
-    this->Tree.Build(this->Scene.GetSpheres(), this->Set.GetGroupAngle());
+    this->Tree.Build(this->Scene.GetSpheres(),
+      this->Set.GetGroups() ? this->Set.GetGroupAngle() : 0.0, this->Hides);
     done = this->Sums.Update(frame.Window, this->Tree, this->Scene.GetPolygons());
     this->TreeIsThere = done;
     this->TreeTime = this->Set.GetMTime();
@@ -245,6 +332,7 @@ bool ProxySum::Sum(const Input& input)
   sums.Middle = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::MIDDLE;
   sums.Exact = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::EXACT;
   sums.Shadowed = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::SHADOWED;
+  sums.LightReach = this->Sends;
   input.Timer.Begin(stage);
   done = done && this->Sums.Sum(sums, this->Sky);
   input.Timer.End(stage);
@@ -262,6 +350,31 @@ size_t ProxySum::GetMainMemoryBytes() const
 {
   return this->Scene.GetSpheres().size() * sizeof(vtkIndirectProxySphere) +
     this->Tree.GetEntries().size() * sizeof(vtkIndirectProxyTree::Entry);
+}
+
+//------------------------------------------------------------------------------
+std::string ProxySum::DescribeReach() const
+{
+  auto describe = [](double used, bool chosen)
+  {
+    return vtkIndirectReport::Number(std::round(10.0 * used) / 10.0) + " radii (" +
+      (chosen ? "chosen: beyond, one takes at most 1/256 of the open sky's largest irradiance)"
+              : "as set)");
+  };
+  std::string text =
+    "each sphere within " + describe(this->Hides, this->Set.GetInfluenceScale() <= 0.0);
+  if (this->Set.GetIndirectLight() != vtkProxyAccumulationPass::OFF)
+  {
+    text +=
+      ", its light within " + describe(this->Sends, this->Set.GetIndirectInfluenceScale() <= 0.0);
+  }
+  if (this->Set.GetInfluenceScale() <= 0.0)
+  {
+    text += ", where the sky is at most " +
+      vtkIndirectReport::Number(std::round(100.0 * this->Needed.Contrast) / 100.0) +
+      " times as bright as that irradiance";
+  }
+  return text;
 }
 
 //------------------------------------------------------------------------------
@@ -285,8 +398,10 @@ void ProxySum::AddToReport(vtkIndirectReport& report) const
   }
   const int step = this->Step;
   report.Modelled.emplace_back("light from the sky",
-    "spherical harmonics of order 4, groups of spheres that are seen under a sine of " +
-      vtkIndirectReport::Number(this->Set.GetGroupAngle()) + " or less as one" +
+    "spherical harmonics of order 4, " +
+      (this->Set.GetGroups() ? "groups of spheres that are seen under a sine of " +
+            vtkIndirectReport::Number(this->Set.GetGroupAngle()) + " or less as one"
+                             : this->DescribeReach()) +
       (step > 1 ? ", a receiver in " + std::to_string(step * step) + " pixels"
                 : ", at every pixel"));
   if (this->Set.GetIndirectLight() == vtkProxyAccumulationPass::OFF)
@@ -309,4 +424,5 @@ void ProxySum::ReleaseOwn(vtkWindow* window)
   this->Sky.Release(window);
   this->Sums.Release(window);
   this->TreeIsThere = false;
+  this->Environment = nullptr;
 }

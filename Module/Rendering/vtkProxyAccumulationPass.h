@@ -24,9 +24,9 @@
  * points.
  *
  * Differences from the paper, by default:
- * - Groups of distant spheres are summed as one (GroupAngle) and none is cut off, in place of
- *   spheres that count within 15 of their radii: thousands of spheres cost as much as hundreds, and
- *   logarithms of spheres behind each other stay small enough for their exponential.
+ * - Groups of distant spheres are summed as one (Groups): thousands of spheres cost as much as
+ *   hundreds, and logarithms of spheres behind each other stay small enough for their exponential.
+ *   Without Groups each sphere counts within InfluenceScale radii.
  * - Spheres reflect the sky's light that other spheres let through, not all of it (IndirectLight).
  * - Receivers interpolate light by direction, not irradiance: pixels use their own normal.
  *
@@ -77,12 +77,41 @@ public:
   ///@}
 
   ///@{
+  /** Sum distant groups of spheres as one. Default on. */
+  vtkIndirectFlagMacro(Groups);
+  ///@}
+
+  ///@{
   /**
    * The largest ratio of a group's radius to its distance at which it is summed as one. A smaller
    * ratio is slower, 0.2 by half, and hardly more exact, except for receivers deep among dense
    * spheres. Default 0.4, range 0.05 to 1.
    */
   vtkIndirectClampMacro(GroupAngle, double, 0.05, 1.0);
+  ///@}
+
+  ///@{
+  /**
+   * Without Groups: radii within which a sphere hides light, with a smooth end over the last
+   * fifth. 0: the smallest number that cuts off, for one sphere, at most 1/256 of the largest
+   * irradiance that the open environment gives any normal, in each colour, for any place of the
+   * sphere and any normal of the receiver: 16.6 under a uniform sky, 28.3 under a sun alone. The
+   * paper's 15 cut off 1/209 and 1/72. The losses of thousands of spheres add up. With Groups
+   * nothing is cut off. Default 0, range 0, and 2 to 1000; values between become 2.
+   */
+  virtual void SetInfluenceScale(double scale);
+  virtual double GetInfluenceScale() const { return this->Settings.InfluenceScale; }
+  ///@}
+
+  ///@{
+  /**
+   * Without Groups: radii within which a sphere sends light, no larger than those within which it
+   * hides light. 0: the smallest number that cuts off the same share of a white sphere's light
+   * under the open environment: 16.6 under a uniform sky, fewer under a sun. The paper's 4 cut off
+   * 1/15. Default 0, range 0, and 2 to 1000; values between become 2.
+   */
+  virtual void SetIndirectInfluenceScale(double scale);
+  virtual double GetIndirectInfluenceScale() const { return this->Settings.IndirectInfluenceScale; }
   ///@}
 
   enum IndirectLightType
@@ -128,6 +157,11 @@ public:
   int GetNumberOfPolygons() const;
   /** Returns the pixels from one receiver to the next; 0 before a frame. */
   int GetActiveReceiverStep() const;
+  /**
+   * Return the radii within which a sphere hides and sends light; 0 with Groups and before a frame.
+   */
+  double GetActiveInfluenceScale() const;
+  double GetActiveIndirectInfluenceScale() const;
   ///@}
 
 protected:
@@ -141,7 +175,10 @@ private:
   struct SettingsType
   {
     int ReceiverStep = 0;
+    bool Groups = true;
     double GroupAngle = 0.4;
+    double InfluenceScale = 0.0;
+    double IndirectInfluenceScale = 0.0;
     int IndirectLight = SHADOWED;
   };
   SettingsType Settings;

@@ -4,6 +4,7 @@
 
     Testing/Benchmark/proxy_pass.py errors    molecules, particles and meshes against rays
     Testing/Benchmark/proxy_pass.py times     spheres that move in every frame, beside UseSSAO
+    Testing/Benchmark/proxy_pass.py paper     the ratios of Sloan et al. 2007, figures 7 and 9
     Testing/Benchmark/proxy_pass.py numbers   1,000 to 100,000 spheres, and a plot (--plot FILE)
 
 Tables of Documentation/methods/sphere-proxies.md. Python finds the package by PYTHONPATH, as with
@@ -451,6 +452,30 @@ def times() -> None:
             )
 
 
+def paper() -> None:
+    """Print ratios of figures 7 and 9: receivers, indirect light; 512 x 512, without groups."""
+    spheres = particles(60)
+    size = (512, 512)
+    common = {"groups": False, "influence_scale": 15, "indirect_influence_scale": 4}
+    kinds = {
+        f"1/{step * step} of the pixels": with_proxies(
+            Moving(spheres, size), receiver_step=step, indirect_light="off", **common
+        )
+        for step in (1, 2, 4, 8)
+    }
+    kinds["1/16, averaged light"] = with_proxies(
+        Moving(spheres, size), receiver_step=4, indirect_light="averaged", **common
+    )
+    kinds["vtk"] = Moving(spheres, size)
+    found = in_turn(kinds)
+    print("| 60 spheres | added ms | rate over that of all pixels |\n|---|---:|---:|")
+    first = next(iter(found.values())) - found["vtk"]
+    for name, spent in found.items():
+        if name != "vtk":
+            added = spent - found["vtk"]
+            print(f"| {name} | {added:.0f} | {first / added:.1f} |")
+
+
 def numbers(plot: Path | None) -> None:
     """Print time against the number of spheres; 512 x 512."""
     counts = (100, 300, 1000, 3000, 10000, 30000, 100000)
@@ -486,12 +511,13 @@ def numbers(plot: Path | None) -> None:
 def main() -> int:
     """Print what the command line asks for."""
     parser = argparse.ArgumentParser(description="Light of the sky by spheres.")
-    parser.add_argument("what", choices=("errors", "times", "numbers"))
+    parser.add_argument("what", choices=("errors", "times", "paper", "numbers"))
     parser.add_argument("--plot", type=Path)
     given = parser.parse_args()
     work: dict[str, Callable[[], None]] = {
         "errors": errors,
         "times": times,
+        "paper": paper,
         "numbers": lambda: numbers(given.plot),
     }
     work[given.what]()

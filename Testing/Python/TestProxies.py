@@ -144,6 +144,7 @@ class ProxyPass(unittest.TestCase):
         proxies = vtkindirect.vtkProxyAccumulationPass()
         self.assertEqual(proxies.GetMethodName(), "proxies")
         self.assertEqual(proxies.GetReceiverStep(), 0)
+        self.assertTrue(proxies.GetGroups())
         self.assertAlmostEqual(proxies.GetGroupAngle(), 0.4)
         self.assertEqual(proxies.GetIndirectLight(), proxies.SHADOWED)
         for asked, given in ((0.0, 0.05), (3.0, 1.0)):

@@ -209,7 +209,8 @@ VTK_INDIRECT_TEST(StagesLink)
     // and Contract.VisibleLamp* link them.
     const bool stage = name.size() > 7 && name.substr(name.size() - 7) == "FS.glsl" &&
       name.find("vtkIndirectCapture") != 0 && name.find("PointFS") == std::string::npos &&
-      name != "vtkIndirectLampFS.glsl" && name != "vtkIndirectSplatFS.glsl";
+      name != "vtkIndirectLampFS.glsl" && name != "vtkIndirectSplatFS.glsl" &&
+      name != "vtkIndirectProxySplatFS.glsl";
     if (!stage)
     {
       continue;

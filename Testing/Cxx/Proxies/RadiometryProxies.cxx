@@ -142,51 +142,66 @@ VTK_INDIRECT_TEST(ProxiesTwoSpheres)
 
 VTK_INDIRECT_TEST(ProxiesCluster)
 {
-  // 200 spheres, many behind each other.
+  // 200 spheres, many behind each other. With groups the bias is within the goal.
   const std::vector<Ball> balls = MakeCluster(200, 1.0);
   ProxyScene scene;
   scene.SetBalls(balls);
   CompareLight(scene, "sky", OnGround,
     [&](const Scene::Receiver& r) { return Open(balls, r.Position); },
     { 0.03, 0.06, "goals of the method: 3 % and 0.1" });
+  const Image groups = scene.Copy("sky");
+  scene.Proxies->GroupsOff();
+  scene.Proxies->SetInfluenceScale(1000.0);
+  scene.Render();
+  Check("single spheres hide too much", scene.Copy("sky").Mean() < groups.Mean());
+  scene.Proxies->SetInfluenceScale(15.0);
+  scene.Render();
+  CheckAtLeast("cut off at 15 radii, by so much", LargestDifference(scene.Copy("sky"), groups),
+    0.02, "what lies beyond adds up");
 }
 
 VTK_INDIRECT_TEST(ProxiesChoicesAreTheSame)
 {
-  // Compute shaders, and fragments.
-  for (const int step : { 1, 4 })
+  // Tiles or the tree in compute shaders, and blended rectangles.
+  for (const bool groups : { true, false })
   {
-    Image sky[2];
-    Image bounce[2];
-    Image normal;
-    for (int i = 0; i < 2; ++i)
+    for (const int step : { 1, 4 })
     {
-      Force(i ? "compute=off" : "compute=on");
-      ProxyScene scene;
-      scene.SetBalls(MakeCluster(300, 1.0));
-      scene.Proxies->SetReceiverStep(step);
-      scene.Render();
-      sky[i] = scene.Copy("sky");
-      bounce[i] = scene.Copy("bounce");
-      normal = scene.Copy("normal");
+      Image sky[2];
+      Image bounce[2];
+      Image normal;
+      for (int i = 0; i < 2; ++i)
+      {
+        Force(i ? "compute=off" : "compute=on");
+        ProxyScene scene;
+        scene.SetBalls(MakeCluster(300, 1.0));
+        scene.Proxies->SetGroups(groups);
+        scene.Proxies->SetReceiverStep(step);
+        scene.Render();
+        sky[i] = scene.Copy("sky");
+        bounce[i] = scene.Copy("bounce");
+        normal = scene.Copy("normal");
+      }
+      Force(nullptr);
+      const std::string name =
+        std::string(groups ? "groups" : "spheres") + ", step " + std::to_string(step);
+      Check(name + ": there is light", sky[0].Mean() > 0.2 && bounce[0].Mean() > 0.002);
+      if (step == 1)
+      {
+        CheckAtMost(
+          name + ": sky", LargestDifference(sky[0], sky[1]), 2e-3, "sums in another order");
+        CheckAtMost(name + ": bounce", LargestDifference(bounce[0], bounce[1]), 2e-3,
+          "the same; the side on which a sender is open may turn");
+        continue;
+      }
+      const char* const why = "pixels that no receiver serves share some in tiles, and are summed "
+                              "by themselves in rectangles; 0.009 and 0.021 measured";
+      CheckAtMost(
+        name + ": pixels whose sky differs", ShareThatDiffers(sky[0], sky[1], 2e-3), 0.02, why);
+      CheckAtMost(name + ": sky, RMS", FindRelativeError(sky[0], sky[1], normal), 0.03, why);
+      CheckAtMost(
+        name + ": bounce, mean", std::abs(bounce[0].Mean() / bounce[1].Mean() - 1.0), 0.02, why);
     }
-    Force(nullptr);
-    const std::string name = "step " + std::to_string(step);
-    Check(name + ": there is light", sky[0].Mean() > 0.2 && bounce[0].Mean() > 0.002);
-    if (step == 1)
-    {
-      CheckAtMost(name + ": sky", LargestDifference(sky[0], sky[1]), 2e-3, "sums in another order");
-      CheckAtMost(name + ": bounce", LargestDifference(bounce[0], bounce[1]), 2e-3,
-        "the same; the side on which a sender is open may turn");
-      continue;
-    }
-    const char* const why = "pixels that no receiver serves share some in tiles, and are summed "
-                            "by themselves in fragments; 0.009 and 0.021 measured";
-    CheckAtMost(
-      name + ": pixels whose sky differs", ShareThatDiffers(sky[0], sky[1], 2e-3), 0.02, why);
-    CheckAtMost(name + ": sky, RMS", FindRelativeError(sky[0], sky[1], normal), 0.03, why);
-    CheckAtMost(
-      name + ": bounce, mean", std::abs(bounce[0].Mean() / bounce[1].Mean() - 1.0), 0.02, why);
   }
 }
 
@@ -290,19 +305,23 @@ VTK_INDIRECT_TEST(ProxiesHardCases)
   };
   for (const auto& entry : cases)
   {
-    ProxyScene scene(1.0, 40);
-    scene.SetBalls(entry.second);
-    scene.Render();
-    // VTK also draws spheres around the eye, behind it.
-    const Image bounce = scene.Copy("bounce");
-    Check(entry.first + ": finite",
-      std::isfinite(bounce.Mean()) && std::isfinite(scene.Copy("sky").Mean()));
-    if (entry.second.size() != 1 || entry.second.front().Radius < 10.0)
+    for (const bool groups : { true, false })
     {
-      scene.CheckBuffers(0);
+      ProxyScene scene(1.0, 40);
+      scene.SetBalls(entry.second);
+      scene.Proxies->SetGroups(groups);
+      scene.Render();
+      // VTK also draws spheres around the eye, behind it.
+      const Image bounce = scene.Copy("bounce");
+      Check(entry.first + ": finite",
+        std::isfinite(bounce.Mean()) && std::isfinite(scene.Copy("sky").Mean()));
+      if (entry.second.size() != 1 || entry.second.front().Radius < 10.0)
+      {
+        scene.CheckBuffers(0);
+      }
+      const double mean = scene.Copy("sky").Mean();
+      Check(entry.first + ": in range", mean >= 0.0 && mean < 1.02, std::to_string(mean));
     }
-    const double mean = scene.Copy("sky").Mean();
-    Check(entry.first + ": in range", mean >= 0.0 && mean < 1.02, std::to_string(mean));
   }
   ProxyScene scene(1.0, 40);
   scene.SetBalls(std::vector<Ball>(100000, { { 0, 1.2, 0 }, 1.0 }));

@@ -107,6 +107,61 @@ VTK_INDIRECT_TEST(ProxiesAlone)
 }
 
 //------------------------------------------------------------------------------
+// Without groups the environment determines the spheres' reach, unless it is set.
+VTK_INDIRECT_TEST(ProxiesReachOfTheSky)
+{
+  ProxyView view;
+  vtkNew<vtkOpenGLSphereMapper> mapper;
+  mapper->SetInputData(view.Points);
+  mapper->SetScaleArray("size");
+  view.Add(mapper);
+  CONTRACT_CHECK(view.Proxies->GetInfluenceScale() == 0.0, view.Proxies->GetInfluenceScale());
+  view.Grab();
+  CONTRACT_CHECK(view.Proxies->GetActiveInfluenceScale() == 0.0, "groups end nowhere");
+  view.Proxies->GroupsOff();
+  view.Grab();
+  const double uniform = view.Proxies->GetActiveInfluenceScale();
+  CONTRACT_CHECK(uniform > 16.0 && uniform < 17.5, uniform);
+  CONTRACT_CHECK(view.Proxies->GetActiveIndirectInfluenceScale() > 16.0,
+    view.Proxies->GetActiveIndirectInfluenceScale());
+  const std::string chosen = Report(view.GetPass()).FindReason("modelled", "light from the sky");
+  CONTRACT_CHECK(chosen.find("chosen") != std::string::npos, chosen);
+  const Floats before = Read(view.GetPass(), "sky");
+  // A brighter sky has the same reach; one with a sun has another.
+  view.Sky->SetScale(3.0);
+  view.Grab();
+  CONTRACT_CHECK(std::abs(view.Proxies->GetActiveInfluenceScale() - uniform) < 1e-2,
+    view.Proxies->GetActiveInfluenceScale());
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(16, 8, 1);
+  image->AllocateScalars(VTK_FLOAT, 3);
+  for (vtkIdType i = 0; i < 16 * 8 * 3; ++i)
+  {
+    static_cast<float*>(image->GetScalarPointer())[i] = i / 3 == 16 * 6 + 5 ? 100.0f : 0.1f;
+  }
+  view.Sky->SetImage(image);
+  view.Grab();
+  CONTRACT_CHECK(view.Proxies->GetActiveInfluenceScale() > 1.2 * uniform,
+    view.Proxies->GetActiveInfluenceScale());
+  // The paper's reach.
+  view.Sky->SetImage(nullptr);
+  view.Sky->SetScale(1.0);
+  view.Proxies->SetInfluenceScale(15.0);
+  view.Proxies->SetIndirectInfluenceScale(4.0);
+  view.Grab();
+  CONTRACT_CHECK(view.Proxies->GetActiveInfluenceScale() == 15.0 &&
+      view.Proxies->GetActiveIndirectInfluenceScale() == 4.0,
+    "what is set is not used");
+  const std::string set = Report(view.GetPass()).FindReason("modelled", "light from the sky");
+  CONTRACT_CHECK(set.find("15 radii (as set)") != std::string::npos, set);
+  view.Proxies->SetInfluenceScale(0.0);
+  view.Grab();
+  CONTRACT_CHECK(Compare(Read(view.GetPass(), "sky"), before).Max < 1e-6, "it is not as before");
+  view.Proxies->SetInfluenceScale(1.0);
+  CONTRACT_CHECK(view.Proxies->GetInfluenceScale() == 2.0, view.Proxies->GetInfluenceScale());
+}
+
+//------------------------------------------------------------------------------
 // The same three spheres, beside one of the room, by every mapper that draws spheres.
 VTK_INDIRECT_TEST(ProxiesOfMappers)
 {

@@ -141,7 +141,7 @@ VTK_INDIRECT_TEST(ProxySilhouetteOfGroups)
         spheres[i].Radius = 0.01 * balls[i].Radius;
       }
       vtkIndirectProxyTree groups;
-      groups.Build(spheres, 0.4);
+      groups.Build(spheres, 0.4, 0.0);
       const vtkIndirectProxyTree::Entry& root = groups.GetEntries().front();
       tree += 1e4 * root.Share * root.Radius * root.Radius;
     }

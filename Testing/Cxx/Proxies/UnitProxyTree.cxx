@@ -75,7 +75,7 @@ VTK_INDIRECT_TEST(ProxyTreeWeights)
   for (const int count : { 1, 2, 3, 4, 5, 17, 300, 2000 })
   {
     vtkIndirectProxyTree tree;
-    tree.Build(MakeSpheres(count, static_cast<std::uint64_t>(count)), 0.4);
+    tree.Build(MakeSpheres(count, static_cast<std::uint64_t>(count)), 0.4, 0.0);
     for (int trial = 0; trial < 40; ++trial)
     {
       const glm::vec3 place(
@@ -95,22 +95,31 @@ VTK_INDIRECT_TEST(ProxyTreeWeights)
 
 VTK_INDIRECT_TEST(ProxyTreeSkipsNothing)
 {
-  // The entries of a receiver's descent through the tree are all that count.
+  // The entries of a receiver's descent through the tree are all that count, and those of the lists
+  // by blocks.
   vtkIndirectProxyTree tree;
-  tree.Build(MakeSpheres(3000, 11), 0.4);
+  tree.Build(MakeSpheres(3000, 11), 0.4, 0.0);
   const std::vector<Entry>& entries = tree.GetEntries();
   Random random(13);
   double met = 0.0;
   double missed = 0.0;
+  double outside = 0.0;
   double visited = 0.0;
   for (int trial = 0; trial < 60; ++trial)
   {
     const glm::vec3 place(
       static_cast<float>(random.NextMagnitude(1e-2, 1.0)) * glm::vec3(random.NextDirection()));
     double all = 0.0;
-    for (const Entry& entry : entries)
+    for (size_t i = 0; i < entries.size(); ++i)
     {
-      all += WeightOf(entry, place);
+      const double weight = WeightOf(entries[i], place);
+      all += weight;
+      const vtkIndirectProxyTree::Block& block = tree.GetBlocks()[i / VTKI_ROW_LENGTH];
+      const bool inBlock = glm::all(glm::lessThanEqual(block.Lower, place)) &&
+        glm::all(glm::greaterThanEqual(block.Upper, place));
+      const bool listed = vtkiProxyMeetsBox(place, glm::vec3(1e-6f), entries[i].OuterCenter,
+        entries[i].Outer, entries[i].Center, entries[i].Inner);
+      outside += weight > 0.0 && !(inBlock && listed) ? weight : 0.0;
     }
     double down = 0.0;
     for (int i = 0; i >= 0;)
@@ -127,6 +136,7 @@ VTK_INDIRECT_TEST(ProxyTreeSkipsNothing)
   }
   Check("something counts", met > 60.0);
   CheckAtMost("weight that is not met", missed, 1e-3, "rounding of sums");
+  CheckEqual("weight outside of blocks and lists", outside, 0.0);
   CheckAtMost("entries visited of 4000, on average", visited, 600.0, "most of it is far away");
 }
 
@@ -134,7 +144,7 @@ VTK_INDIRECT_TEST(ProxyTreeBounds)
 {
   // The bound excludes only entries wholly below a receiver.
   vtkIndirectProxyTree tree;
-  tree.Build(MakeSpheres(3000, 17), 0.4);
+  tree.Build(MakeSpheres(3000, 17), 0.4, 0.0);
   const std::vector<Entry>& entries = tree.GetEntries();
   double farthest = 0.0;
   double groups = 0.0;
@@ -215,7 +225,7 @@ VTK_INDIRECT_TEST(ProxyTreeGroups)
     cloud.push_back(sphere);
   }
   vtkIndirectProxyTree tree;
-  tree.Build(cloud, 0.4);
+  tree.Build(cloud, 0.4, 0.0);
   const Entry& root = tree.GetEntries().front();
   CheckRelative("area of a thin cloud", root.Share * root.Radius * root.Radius, area, 0.01,
     "64 (0.001 / 0.2)^2 = 0.0016 of it hides each other");
@@ -223,12 +233,15 @@ VTK_INDIRECT_TEST(ProxyTreeGroups)
   CheckRelative("its albedo", root.Albedo.x, 0.5, 1e-5, "half of them");
   // 100,000 spheres at one place are one.
   const Spheres same(100000, cloud.front());
-  tree.Build(same, 0.4);
+  tree.Build(same, 0.4, 0.0);
   const Entry& one = tree.GetEntries().front();
   CheckRelative("radius of 100,000 at one place", one.Radius, 0.001, 1e-4, "rounding");
   CheckEqual("all of its disk hides", one.Share, 1.0);
   CheckEqual("entries", static_cast<double>(tree.GetEntries().size()), 1.0);
-  tree.Build({}, 0.4);
+  tree.Build(cloud, 0.0, 15.0);
+  CheckEqual("without groups", static_cast<double>(tree.GetEntries().size()), 64.0);
+  CheckRelative("a region of influence", tree.GetEntries()[3].Outer, 0.015, 1e-6, "15 radii");
+  tree.Build({}, 0.4, 0.0);
   CheckEqual("of nothing", static_cast<double>(tree.GetEntries().size()), 0.0);
 }
 
@@ -240,7 +253,7 @@ VTK_INDIRECT_TEST(ProxyTreeSenders)
   {
     const Spheres spheres = MakeSpheres(count, 3);
     vtkIndirectProxyTree tree;
-    tree.Build(spheres, 0.4);
+    tree.Build(spheres, 0.4, 15.0);
     const auto& senders = tree.GetSenders();
     int spheresAmongThem = 0;
     for (const auto& sender : senders)

@@ -213,6 +213,62 @@ VTK_INDIRECT_TEST(SplatMeetsBox)
   Check("where there is no splat nothing is met", !vtkiSplatMeetsBox(none, vec3(0.0f), vec3(1.0f)));
 }
 
+VTK_INDIRECT_TEST(SplatRange)
+{
+  Random random(34);
+  double outside = 0.0;
+  double loose = 0.0;
+  int front = 0;
+  int behind = 0;
+  int wrong = 0;
+  for (int i = 0; i < 3000; ++i)
+  {
+    const vtkiSplat splat = RandomSplat(random);
+    // Any projection: x / w, w the distance from a plane, or one for parallel projection.
+    const bool parallel = i % 4 == 0;
+    const vec3 x(random.NextDirection() * random.Next(0.5, 2.0));
+    const vec3 w(parallel ? glm::dvec3(0.0) : random.NextDirection());
+    const vec4 rowX(x, static_cast<float>(random.Next(-1.0, 1.0)));
+    const vec4 rowW(w, parallel ? 1.0f : static_cast<float>(random.Next(-0.5, 1.5)));
+    vec2 range;
+    const int where = vtkiSplatRange(splat, rowX, rowW, range);
+    double least = 1e30;
+    double lower = 1e30;
+    double upper = -1e30;
+    double greatest = -1e30;
+    for (int k = 0; k < 400; ++k)
+    {
+      const glm::dvec3 unit = random.NextDirection();
+      const double along = glm::dot(unit, glm::dvec3(splat.axis));
+      const glm::dvec3 p = glm::dvec3(splat.center) + double(splat.across) * unit +
+        (double(splat.along) - splat.across) * along * glm::dvec3(splat.axis);
+      const double depth = glm::dot(glm::dvec3(w), p) + rowW.w;
+      const double value = (glm::dot(glm::dvec3(x), p) + rowX.w) / depth;
+      least = std::min(least, depth);
+      greatest = std::max(greatest, depth);
+      lower = std::min(lower, value);
+      upper = std::max(upper, value);
+    }
+    wrong += (where > 0 && least <= 0.0) || (where < 0 && greatest >= 0.0);
+    front += where > 0;
+    behind += where < 0;
+    if (where > 0)
+    {
+      const double scale = 1.0 + std::max(std::abs(lower), std::abs(upper));
+      outside = std::max({ outside, (range.x - lower) / scale, (upper - range.y) / scale });
+      loose = std::max(
+        loose, upper - lower > 1e-2 && least > 0.1 ? (range.y - range.x) / (upper - lower) : 0.0);
+    }
+  }
+  CheckAtLeast("splats in front of the eye's plane", front, 1000, "the test's own power");
+  CheckAtLeast("splats behind it", behind, 100, "the test's own power");
+  CheckEqual("splats told to be on the side that they are not", wrong, 0);
+  CheckAtMost("how far an ellipsoid leaves its range", outside, 2e-5,
+    "floats; the rectangle has a margin of 1e-4");
+  CheckAtMost("width of the range over that of 400 points", loose, 1.6,
+    "points of a narrow ellipsoid's tips are rare");
+}
+
 VTK_INDIRECT_TEST(SplatWithinScene)
 {
   Random random(35);

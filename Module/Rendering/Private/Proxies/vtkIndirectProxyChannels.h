@@ -27,6 +27,10 @@ const vtkIndirectChannel RowsChannels[] = {
   { "proxies.albedo", "vtkiProxyAlbedo", "albedo, sender", GL_RGBA32F, "-", "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+const vtkIndirectChannel BlocksChannels[] = {
+  { "proxies.blocks", "vtkiProxyBlocks", "corners of a box", GL_RGBA32F, "scene", "scene units" },
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
+};
 const vtkIndirectChannel SendersChannels[] = {
   { "proxies.sender", "vtkiSenderPlace", "place, radius", GL_RGBA32F, "scene", "scene units" },
   { "proxies.facing", "vtkiSenderNormal", "normal, whether there is one", GL_RGBA32F, "scene",
@@ -69,5 +73,12 @@ const vtkIndirectChannel CountChannels[] = {
   { "proxies.count", "vtkiSharedCount", "receivers of a tile", GL_R32F, "-", "1" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
+const vtkIndirectChannel BlendedChannels[] = { MakeChannel("proxies.hidden0", "vtkiHidden0",
+                                                 "sums over spheres", "-"),
+  MakeChannel("proxies.hidden1", "vtkiHidden1", "sums over spheres", "-"),
+  MakeChannel("proxies.hidden2", "vtkiHidden2", "sums over spheres", "-"),
+  MakeChannel("proxies.hidden3", "vtkiHidden3", "sums over spheres", "-"),
+  MakeChannel("proxies.sent", "vtkiSent", "sums over spheres", "-"),
+  { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
 }
 #endif

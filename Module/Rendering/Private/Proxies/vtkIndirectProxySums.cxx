@@ -7,8 +7,11 @@
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyChannels.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkTextureObject.h"
 
 #include <algorithm>
 
@@ -22,6 +25,8 @@ constexpr int SharedTile = vtkIndirectKernels::VTKI_PROXY_TILE;
 constexpr int SharedBlock = vtkIndirectKernels::VTKI_PROXY_BLOCK;
 // First image unit of images of pixels, after those of receivers.
 constexpr int PixelUnit = 4;
+// Entries in one draw: long draws stall a desktop.
+constexpr int EntriesPerDraw = 16 * RowLength;
 enum ModeType
 {
   COARSE,
@@ -29,6 +34,16 @@ enum ModeType
   REST,
   SENDERS
 };
+
+#ifdef GL_COMPUTE_SHADER
+// The next user of the images may sample them, draw over them, add to them, read them back or
+// replace them.
+void FinishImages()
+{
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+#endif
 
 }
 
@@ -39,6 +54,7 @@ vtkIndirectProxySums::vtkIndirectProxySums()
   , Coarse(CoarseChannels)
   , Shared(SharedChannels, false)
   , Counts(CountChannels, false)
+  , Blended(BlendedChannels, false)
 {
 }
 
@@ -88,7 +104,9 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
   {
     vtkIndirectFullScreenProgram& kernel = i == 0 ? this->Sending : this->Averaging;
     vtkIndirectTarget& target = i == 0 ? this->SenderLight : this->AllLight;
-    kernel.SetDefinitions(i > 0 ? "#define VTKI_PROXY_MEANS\n" : "");
+    kernel.SetDefinitions(i > 0    ? "#define VTKI_PROXY_MEANS\n"
+        : this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n"
+                                   : "");
     vtkShaderProgram* program = kernel.Use(window);
     if (!program)
     {
@@ -145,6 +163,7 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   this->Tables.Activate(program);
   vtkIndirectProxyTreeTables::SetTexelSize(program, "vtkiLightScale", this->AllLight);
   program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
+  program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
 }
 
 //------------------------------------------------------------------------------
@@ -197,8 +216,9 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
   }
   if (!vtkIndirectComputeProgram::IsSupported())
   {
-    return this->SumInFragments(input, definitions, image);
+    return this->SumBlended(input, definitions, image);
   }
+  this->Blended.Release(frame.Window);
   if (!coarse)
   {
     return this->SumInTiles(input, definitions, image, PIXELS);
@@ -225,6 +245,7 @@ bool vtkIndirectProxySums::SumRest(
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& image)
 {
+#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   vtkShaderProgram* program = this->Choosing.Use(frame.Window);
   if (!program)
@@ -235,19 +256,32 @@ bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& ima
   this->Rest.Begin(frame.Window, 2 * pixels);
   this->Activate(input, program);
   this->Rest.Activate(program, "vtkiProxyPixels");
-  // A second channel is not read: the image of counts takes its unit.
-  this->Choosing.AddImages(image);
-  this->Choosing.AddImages(this->Counts, 1);
-  this->Choosing.Run(this->Counts.GetWidth(), this->Counts.GetHeight(), SharedTile);
+  glBindImageTexture(
+    0, image.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  glBindImageTexture(
+    1, this->Counts.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32F);
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
+  glDispatchCompute(static_cast<GLuint>((this->Counts.GetWidth() + SharedTile - 1) / SharedTile),
+    static_cast<GLuint>((this->Counts.GetHeight() + SharedTile - 1) / SharedTile), 1);
+  glMemoryBarrier(
+    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+  for (GLuint i = 0; i < 2; ++i)
+  {
+    glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  }
   this->Rest.Deactivate();
   this->Deactivate(input);
   return true;
+#else
+  return image.GetWidth() > 0 && input.Step > 0;
+#endif
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::ShareRest(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
+#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   this->Sharing.SetDefinitions(definitions);
   vtkShaderProgram* program = this->Sharing.Use(frame.Window);
@@ -261,25 +295,45 @@ bool vtkIndirectProxySums::ShareRest(
   {
     this->Shared.Activate(i, program);
   }
-  this->Sharing.AddImages(image);
+  this->BindImages(image, 0, true);
   this->Rest.Activate(program, "vtkiProxyPixels");
-  this->Sharing.Run(this->Rest, 1);
+  this->Rest.Dispatch(1);
   this->Rest.Deactivate();
+  FinishImages();
+  this->BindImages(image, 0, false);
   this->Counts.Deactivate();
   this->Shared.Deactivate();
   this->Deactivate(input);
   return true;
+#else
+  return image.GetWidth() > 0 && definitions.empty() && input.Step > 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+// Binds all channels of a target as images from a unit on, or unbinds them.
+void vtkIndirectProxySums::BindImages(vtkIndirectTarget& target, int unit, bool binds)
+{
+#ifdef GL_COMPUTE_SHADER
+  for (int i = 0; i < target.GetNumberOfChannels(); ++i)
+  {
+    glBindImageTexture(static_cast<GLuint>(unit + i), binds ? target.GetTexture(i)->GetHandle() : 0,
+      0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
+  }
+#endif
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::SumInTiles(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode)
 {
+#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  vtkIndirectComputeProgram& kernel = this->Tiles[mode];
-  kernel.SetDefinitions(definitions + (mode == PIXELS ? "#define VTKI_PROXY_PIXELS\n" : "") +
+  this->Tiles[mode].SetDefinitions(definitions +
+    (this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n" : "") +
+    (mode == PIXELS ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
   if (!program)
   {
     return false;
@@ -292,37 +346,106 @@ bool vtkIndirectProxySums::SumInTiles(
     : mode == SENDERS                    ? senders
                                          : frame.Size;
   const bool ofPixels = mode == PIXELS || mode == REST;
-  kernel.AddImages(image, ofPixels ? PixelUnit : 0);
+  const auto bind = [&](bool binds)
+  {
+    this->BindImages(image, ofPixels ? PixelUnit : 0, binds);
+    if (mode == REST)
+    {
+      this->BindImages(this->Shared, 0, binds);
+    }
+  };
+  bind(true);
+  // Waits for the kernel's inputs, which llvmpipe does not do by itself.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   if (mode == REST)
   {
-    kernel.AddImages(this->Shared);
     this->Rest.Activate(program, "vtkiProxyPixels");
-    kernel.Run(this->Rest, 0);
+    this->Rest.Dispatch(0);
     this->Rest.Deactivate();
   }
   else
   {
-    kernel.Run(size[0], size[1], TileSize);
+    glDispatchCompute(static_cast<GLuint>((size[0] + TileSize - 1) / TileSize),
+      static_cast<GLuint>((size[1] + TileSize - 1) / TileSize), 1);
+  }
+  FinishImages();
+  bind(false);
+  this->Deactivate(input);
+  return true;
+#else
+  return image.GetWidth() > 0 && mode >= 0 && definitions.empty() && input.Step > 0;
+#endif
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definitions)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkIndirectTarget& target = this->Blended;
+  if (!target.Resize(frame.Window, this->CoarseSize[0], this->CoarseSize[1]))
+  {
+    return false;
+  }
+  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatVS.glsl", definitions).c_str(),
+    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatFS.glsl", definitions).c_str(), "");
+  if (!program || !program->GetCompiled())
+  {
+    return false;
+  }
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglClearColor clearColor(state);
+  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  state->vtkglDisable(GL_CULL_FACE);
+  target.Begin();
+  target.Clear();
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  this->Activate(input, program);
+  vtkIndirectSetUniform(program, "vtkiSceneToClip", frame.FindSceneToClip());
+  vtkIndirectSetUniform(program, "vtkiProxyMargin",
+    glm::vec2(4.0f / static_cast<float>(this->CoarseSize[0]),
+      4.0f / static_cast<float>(this->CoarseSize[1])));
+  const int attribute = program->FindAttributeArray("vtkiCorner");
+  for (int first = 0; first < this->Tables.GetNumberOfEntries(); first += EntriesPerDraw)
+  {
+    program->SetUniformi("vtkiFirstProxy", first);
+    this->Mesh.Draw(frame.Window, attribute, true,
+      std::min(EntriesPerDraw, this->Tables.GetNumberOfEntries() - first));
+    glFlush();
   }
   this->Deactivate(input);
+  state->vtkglDisable(GL_BLEND);
+  target.End();
   return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectProxySums::SumInFragments(
+bool vtkIndirectProxySums::SumBlended(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
+  const vtkIndirectFrame& frame = input.Frame;
+  if (!this->Splat(input, definitions))
+  {
+    return false;
+  }
   const bool coarse = input.Step > 1;
   vtkIndirectTarget& target = coarse ? this->Coarse : image;
-  vtkShaderProgram* program = this->Summing.Use(
-    input.Frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
+  vtkShaderProgram* program =
+    this->Resolving.Use(frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
   if (!program)
   {
     return false;
   }
   target.Begin();
   this->Activate(input, program);
-  this->Summing.Draw();
+  for (int i = 0; i < this->Blended.GetNumberOfChannels(); ++i)
+  {
+    this->Blended.Activate(i, program);
+  }
+  this->Resolving.Draw();
+  this->Blended.Deactivate();
   this->Deactivate(input);
   target.End();
   return !coarse || this->Upsample(input, definitions + "#define VTKI_PROXY_GATHER\n", image);
@@ -368,9 +491,11 @@ bool vtkIndirectProxySums::Upsample(
 //------------------------------------------------------------------------------
 size_t vtkIndirectProxySums::GetBytes() const
 {
-  size_t bytes = this->Tables.GetBytes() + this->Light.GetBytes() + this->Rest.GetBytes();
-  for (const vtkIndirectTarget* target : std::initializer_list<const vtkIndirectTarget*>{
-         &this->SenderLight, &this->AllLight, &this->Coarse, &this->Shared, &this->Counts })
+  size_t bytes = this->Tables.GetBytes() + this->Mesh.GetBytes() + this->Light.GetBytes() +
+    this->Rest.GetBytes();
+  for (const vtkIndirectTarget* target :
+    std::initializer_list<const vtkIndirectTarget*>{ &this->SenderLight, &this->AllLight,
+      &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
   {
     bytes += target->GetBytes();
   }
@@ -380,13 +505,14 @@ size_t vtkIndirectProxySums::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectProxySums::Release(vtkWindow* window)
 {
-  for (vtkIndirectTarget* target : std::initializer_list<vtkIndirectTarget*>{
-         &this->SenderLight, &this->AllLight, &this->Coarse, &this->Shared, &this->Counts })
+  for (vtkIndirectTarget* target : std::initializer_list<vtkIndirectTarget*>{ &this->SenderLight,
+         &this->AllLight, &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
   {
     target->Release(window);
   }
   this->Tables.Release(window);
   this->Light.Release();
+  this->Mesh.Release();
   this->Rest.Release();
   this->Choosing.Release(window);
   this->Sharing.Release(window);
@@ -396,7 +522,7 @@ void vtkIndirectProxySums::Release(vtkWindow* window)
   }
   this->Upsampling.Release();
   this->Background.Release();
-  this->Summing.Release();
+  this->Resolving.Release();
   this->Sending.Release();
   this->Averaging.Release();
   this->Changed = true;

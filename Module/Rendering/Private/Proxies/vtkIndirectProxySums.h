@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sums a tree of spheres at the visible surfaces: irradiance of the sky that they leave visible,
-// and of their own light. Compute shaders sum in tiles of 16 x 16 receivers, or without
-// compute shaders each fragment descends the tree; both give the same result within rounding.
+// and of their own light. Compute shaders sum in tiles of 16 x 16 receivers, or rectangles are
+// drawn and blended; both give the same result within rounding.
 #ifndef vtkIndirectProxySums_h
 #define vtkIndirectProxySums_h
 
@@ -12,6 +12,7 @@
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "Proxies/vtkIndirectProxyLight.h"       // for a member
 #include "Proxies/vtkIndirectProxyTreeTables.h"  // for a member
+#include "Splatting/vtkIndirectSplatMesh.h"      // for a member
 
 #include <string> // for texts
 
@@ -27,11 +28,12 @@ public:
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    int Step = 1;         // pixels from one receiver to the next
-    bool Hides = true;    // false: the sky is unoccluded
-    bool Middle = false;  // radiance of spheres at their middles
-    bool Exact = false;   // radiance of spheres at each of their points
-    bool Shadowed = true; // spheres occlude each other's light
+    int Step = 1;            // pixels from one receiver to the next
+    bool Hides = true;       // false: the sky is unoccluded
+    bool Middle = false;     // radiance of spheres at their middles
+    bool Exact = false;      // radiance of spheres at each of their points
+    bool Shadowed = true;    // spheres occlude each other's light
+    double LightReach = 0.0; // radii within which a sphere sends; 0: everywhere
   };
 
   /** Uploads entries. Returns false, after an error, if OpenGL refuses. */
@@ -56,10 +58,12 @@ private:
   bool LightSenders(const Input& input);
   bool SumInTiles(
     const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode);
+  static void BindImages(vtkIndirectTarget& target, int unit, bool binds);
   bool SumRest(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
   bool ChooseRest(const Input& input, vtkIndirectTarget& image);
   bool ShareRest(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
-  bool SumInFragments(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
+  bool SumBlended(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
+  bool Splat(const Input& input, const std::string& definitions);
   bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
 
   vtkIndirectProxyTreeTables Tables;
@@ -70,8 +74,10 @@ private:
   vtkIndirectTarget SenderLight; // light that falls on senders
   vtkIndirectTarget AllLight;    // that light and its means, in pairs
   vtkIndirectReceiverGrid Coarse;
-  vtkIndirectTarget Shared;           // receivers of tiles
-  vtkIndirectTarget Counts;           // number of receivers
+  vtkIndirectTarget Shared;  // receivers of tiles
+  vtkIndirectTarget Counts;  // number of receivers
+  vtkIndirectTarget Blended; // sums
+  vtkIndirectSplatMesh Mesh;
   vtkIndirectCommandBuffer Rest{ 2 }; // tiles' receivers, and the pixels that they represent
   vtkIndirectComputeProgram Choosing{ "vtkIndirectProxyChooseCS.glsl" };
   vtkIndirectComputeProgram Sharing{ "vtkIndirectProxyShareCS.glsl" };
@@ -84,6 +90,6 @@ private:
   vtkIndirectFullScreenProgram Averaging{ "vtkIndirectProxySendersFS.glsl" };
   vtkIndirectFullScreenProgram Upsampling{ "vtkIndirectProxyUpsampleFS.glsl" };
   vtkIndirectFullScreenProgram Background{ "vtkIndirectClearFS.glsl" };
-  vtkIndirectFullScreenProgram Summing{ "vtkIndirectProxySumFS.glsl" };
+  vtkIndirectFullScreenProgram Resolving{ "vtkIndirectProxyResolveFS.glsl" };
 };
 #endif

@@ -22,14 +22,34 @@ constexpr int NumberOfMoments = 8;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyTree::Build(const std::vector<vtkIndirectProxySphere>& spheres, double angle)
+void vtkIndirectProxyTree::Build(
+  const std::vector<vtkIndirectProxySphere>& spheres, double angle, double reach)
 {
   this->Entries.clear();
+  this->Blocks.clear();
   this->Senders.clear();
   this->Means.clear();
   this->Nodes.clear();
   if (spheres.empty())
   {
+    return;
+  }
+  if (angle <= 0.0)
+  {
+    for (const vtkIndirectProxySphere& sphere : spheres)
+    {
+      const glm::vec3 center(sphere.Center);
+      const double outer = reach > 0.0 ? std::min(reach * sphere.Radius, Everywhere) : Everywhere;
+      this->Entries.push_back({ center, static_cast<float>(sphere.Radius), center,
+        static_cast<float>(outer), sphere.Albedo, 1.0f, sphere.Exact ? -1.0f : 0.0f,
+        static_cast<int>(this->Senders.size()), 0, static_cast<float>(sphere.Radius) });
+      this->Senders.push_back({ center, static_cast<float>(sphere.Radius) });
+    }
+    for (size_t i = 0; i < this->Entries.size(); ++i)
+    {
+      this->Entries[i].Next = i + 1 < this->Entries.size() ? static_cast<int>(i) + 1 : -1;
+    }
+    this->MakeBlocks();
     return;
   }
   this->Order.resize(spheres.size());
@@ -55,6 +75,7 @@ void vtkIndirectProxyTree::Build(const std::vector<vtkIndirectProxySphere>& sphe
   {
     entry.Next = entry.Next < static_cast<int>(this->Entries.size()) ? entry.Next : -1;
   }
+  this->MakeBlocks();
 }
 
 //------------------------------------------------------------------------------
@@ -267,4 +288,21 @@ void vtkIndirectProxyTree::AddEntries(size_t number, const Node* parent)
     this->AddEntries(node.Children[i], &node);
   }
   this->Entries[entry].Next = static_cast<int>(this->Entries.size());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectProxyTree::MakeBlocks()
+{
+  const size_t length = static_cast<size_t>(vtkIndirectKernels::VTKI_ROW_LENGTH);
+  for (size_t first = 0; first < this->Entries.size(); first += length)
+  {
+    Block block = { glm::vec3(1e30f), glm::vec3(-1e30f) };
+    for (size_t i = first; i < std::min(first + length, this->Entries.size()); ++i)
+    {
+      const Entry& entry = this->Entries[i];
+      block.Lower = glm::min(block.Lower, entry.OuterCenter - entry.Outer);
+      block.Upper = glm::max(block.Upper, entry.OuterCenter + entry.Outer);
+    }
+    this->Blocks.push_back(block);
+  }
 }

@@ -53,13 +53,24 @@ public:
     int First;
     int Count;
   };
+  /** A bounding box of the regions of VTKI_ROW_LENGTH entries. */
+  struct Block
+  {
+    glm::vec3 Lower;
+    glm::vec3 Upper;
+  };
+
   /**
    * Makes entries of spheres whose lengths are of order one, all radii positive and finite. angle:
-   * the largest radius over distance at which a group counts as one.
+   * the largest radius over distance at which a group counts as one; 0: no groups, and a sphere
+   * counts within `reach` times its radius, or everywhere if that is 0.
    */
-  void Build(const std::vector<vtkIndirectProxySphere>& spheres, double angle);
+  void Build(const std::vector<vtkIndirectProxySphere>& spheres, double angle, double reach);
 
+  /** True if there are groups: entries with children. */
+  bool HasGroups() const { return !this->Nodes.empty(); }
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
+  const std::vector<Block>& GetBlocks() const { return this->Blocks; }
   const std::vector<Sender>& GetSenders() const { return this->Senders; }
   const std::vector<Mean>& GetMeans() const { return this->Means; }
 
@@ -86,11 +97,13 @@ private:
   void Split(const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end);
   void AddSenders(size_t node, int own);
   void AddEntries(size_t node, const Node* parent);
+  void MakeBlocks();
 
   std::vector<size_t> Order; // order of the spheres
   size_t SpheresOfSender = 4;
   std::vector<Node> Nodes;
   std::vector<Entry> Entries;
+  std::vector<Block> Blocks;
   std::vector<Sender> Senders;
   std::vector<Mean> Means;
 };

@@ -69,6 +69,7 @@ void Append(std::vector<float>& values, const glm::vec3& xyz, float w)
 vtkIndirectProxyTreeTables::vtkIndirectProxyTreeTables()
   : Table(TableChannels, false)
   , Rows(RowsChannels, false)
+  , Blocks(BlocksChannels, false)
   , Senders(SendersChannels, false)
   , Ranges(RangesChannels, false)
 {
@@ -81,9 +82,13 @@ bool vtkIndirectProxyTreeTables::Update(vtkOpenGLRenderWindow* window,
   this->Polygons = vtkIndirectProxyLight::ChoosePolygons(polygons);
   const bool begins = this->Table.GetWidth() == 0;
   const std::vector<vtkIndirectProxyTree::Entry>& entries = tree.GetEntries();
+  const std::vector<vtkIndirectProxyTree::Block>& blocks = tree.GetBlocks();
   this->NumberOfEntries = static_cast<int>(entries.size());
+  this->NumberOfBlocks = static_cast<int>(blocks.size());
+  this->HasAnyGroups = tree.HasGroups();
   const int rows = FindRows(entries.size());
-  if (!this->Table.Resize(window, TableLength, 1) || !this->Rows.Resize(window, RowLength, rows))
+  if (!this->Table.Resize(window, TableLength, 1) || !this->Rows.Resize(window, RowLength, rows) ||
+    !this->Blocks.Resize(window, 2, rows))
   {
     this->NumberOfEntries = 0;
     return false;
@@ -100,7 +105,7 @@ bool vtkIndirectProxyTreeTables::Update(vtkOpenGLRenderWindow* window,
     this->NumberOfSenders += 2 *
       static_cast<int>(vtkIndirectProxyLight::FindPlaces(polygon, this->Polygons.size()).size());
   }
-  std::vector<float> values[3];
+  std::vector<float> values[4];
   for (const vtkIndirectProxyTree::Entry& entry : entries)
   {
     Append(values[0], entry.Center, entry.Radius);
@@ -109,9 +114,18 @@ bool vtkIndirectProxyTreeTables::Update(vtkOpenGLRenderWindow* window,
     Append(values[1], glm::vec3(region), region.w);
     Append(values[2], entry.Albedo, static_cast<float>(entry.Sender));
   }
+  for (const vtkIndirectProxyTree::Block& block : blocks)
+  {
+    Append(values[3], block.Lower, 0.0f);
+    Append(values[3], block.Upper, 0.0f);
+  }
   for (int i = 0; i < 3; ++i)
   {
     WriteRows(this->Rows, i, values[i]);
+  }
+  if (!blocks.empty())
+  {
+    this->Blocks.Write(0, values[3]);
   }
   return this->UpdateSenders(window, tree);
 }
@@ -182,6 +196,11 @@ void vtkIndirectProxyTreeTables::Activate(vtkShaderProgram* program) const
     this->Senders.Activate(0, program);
     this->Senders.Activate(1, program);
   }
+  if (program->IsUniformUsed("vtkiProxyBlocks"))
+  {
+    this->Blocks.Activate(0, program);
+    program->SetUniformi("vtkiBlockCount", this->NumberOfBlocks);
+  }
   this->Table.Activate(0, program);
   for (int i = 0; i < this->Rows.GetNumberOfChannels(); ++i)
   {
@@ -194,7 +213,8 @@ void vtkIndirectProxyTreeTables::Activate(vtkShaderProgram* program) const
 //------------------------------------------------------------------------------
 void vtkIndirectProxyTreeTables::Deactivate() const
 {
-  for (const vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Senders })
+  for (const vtkIndirectTarget* target :
+    { &this->Table, &this->Rows, &this->Blocks, &this->Senders })
   {
     target->Deactivate();
   }
@@ -205,7 +225,7 @@ size_t vtkIndirectProxyTreeTables::GetBytes() const
 {
   size_t bytes = 0;
   for (const vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Senders, &this->Ranges })
+    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges })
   {
     bytes += target->GetBytes();
   }
@@ -215,9 +235,10 @@ size_t vtkIndirectProxyTreeTables::GetBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectProxyTreeTables::Release(vtkWindow* window)
 {
-  for (vtkIndirectTarget* target : { &this->Table, &this->Rows, &this->Senders, &this->Ranges })
+  for (vtkIndirectTarget* target :
+    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges })
   {
     target->Release(window);
   }
-  this->NumberOfEntries = this->NumberOfSenders = 0;
+  this->NumberOfEntries = this->NumberOfBlocks = this->NumberOfSenders = 0;
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A tree of spheres in the form that shaders read: tables of entries and of senders.
+// A tree of spheres in the form that shaders read: tables of entries, of bounding boxes of blocks
+// of them, and of senders.
 #ifndef vtkIndirectProxyTreeTables_h
 #define vtkIndirectProxyTreeTables_h
 
@@ -27,6 +28,7 @@ public:
 
   /** The polygons that send light: the largest of those given to Update. */
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }
+  bool HasGroups() const { return this->HasAnyGroups; }
   int GetNumberOfEntries() const { return this->NumberOfEntries; }
   int GetNumberOfSenders() const { return this->NumberOfSenders; }
   /** Number of the first sender that is a place of a polygon. */
@@ -43,11 +45,14 @@ private:
   bool UpdateSenders(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree);
 
   std::vector<vtkIndirectProxyPolygon> Polygons;
+  bool HasAnyGroups = false;
   int NumberOfEntries = 0;
+  int NumberOfBlocks = 0;
   int NumberOfSenders = 0;
   int FirstPlace = 0;
-  vtkIndirectTarget Table; // zonal logarithms
-  vtkIndirectTarget Rows;  // entries
+  vtkIndirectTarget Table;  // zonal logarithms
+  vtkIndirectTarget Rows;   // entries
+  vtkIndirectTarget Blocks; // boxes
   vtkIndirectTarget Senders;
   vtkIndirectTarget Ranges; // ranges of means
 };

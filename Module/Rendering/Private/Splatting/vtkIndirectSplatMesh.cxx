@@ -100,12 +100,21 @@ void vtkIndirectSplatMesh::Create(vtkOpenGLRenderWindow* window)
 {
   const Polyhedron mesh = MakePolyhedron();
   std::vector<float> corners;
-  for (const glm::dvec3& corner : mesh.Corners)
+  auto add = [&corners](const glm::dvec3& corner)
   {
     for (int c = 0; c < 3; ++c)
     {
-      // The factor rounds outwards.
+      // Rounded outwards.
       corners.push_back(static_cast<float>(corner[c] * (1.0 + 1e-6)));
+    }
+  };
+  std::for_each(mesh.Corners.begin(), mesh.Corners.end(), add);
+  this->FirstOfRectangle = static_cast<int>(mesh.Corners.size());
+  for (int i = 0; i < 4; ++i)
+  {
+    for (const float c : { (i & 1) ? 1.0f : -1.0f, (i & 2) ? 1.0f : -1.0f, 0.0f })
+    {
+      corners.push_back(c);
     }
   }
   const size_t sizes[2] = { corners.size() * sizeof(float),
@@ -126,7 +135,8 @@ void vtkIndirectSplatMesh::Create(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSplatMesh::Draw(vtkOpenGLRenderWindow* window, int attribute, int instances)
+void vtkIndirectSplatMesh::Draw(
+  vtkOpenGLRenderWindow* window, int attribute, bool rectangles, int instances)
 {
   if (this->VertexArray == 0)
   {
@@ -136,8 +146,15 @@ void vtkIndirectSplatMesh::Draw(vtkOpenGLRenderWindow* window, int attribute, in
   glBindBuffer(GL_ARRAY_BUFFER, this->Buffers[0]);
   glEnableVertexAttribArray(static_cast<GLuint>(attribute));
   glVertexAttribPointer(static_cast<GLuint>(attribute), 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-  glDrawElementsInstanced(
-    GL_TRIANGLES, this->NumberOfIndices, GL_UNSIGNED_SHORT, nullptr, instances);
+  if (rectangles)
+  {
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, this->FirstOfRectangle, 4, instances);
+  }
+  else
+  {
+    glDrawElementsInstanced(
+      GL_TRIANGLES, this->NumberOfIndices, GL_UNSIGNED_SHORT, nullptr, instances);
+  }
   glDisableVertexAttribArray(static_cast<GLuint>(attribute));
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   glBindVertexArray(0);

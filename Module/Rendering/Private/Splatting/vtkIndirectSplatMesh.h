@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Geometry of a splat: a polyhedron about the unit ball.
+// Geometry of a splat: a polyhedron about the unit ball, or a rectangle.
 #ifndef vtkIndirectSplatMesh_h
 #define vtkIndirectSplatMesh_h
 
@@ -32,8 +32,9 @@ public:
   vtkIndirectSplatMesh(const vtkIndirectSplatMesh&) = delete;
   void operator=(const vtkIndirectSplatMesh&) = delete;
 
-  /** Draws this many instances of the polyhedron; the corners go to the attribute. */
-  void Draw(vtkOpenGLRenderWindow* window, int attribute, int instances);
+  /** Draws this many instances of the polyhedron or of the square from -1 to 1; the corners go to
+   * the attribute. */
+  void Draw(vtkOpenGLRenderWindow* window, int attribute, bool rectangles, int instances);
 
   size_t GetBytes() const { return this->Bytes; }
   void Release();
@@ -45,6 +46,7 @@ private:
   unsigned int VertexArray = 0;
   unsigned int Buffers[2] = { 0, 0 }; // corners, triangles
   int NumberOfIndices = 0;
+  int FirstOfRectangle = 0; // first corner of the rectangle
   size_t Bytes = 0;
 };
 

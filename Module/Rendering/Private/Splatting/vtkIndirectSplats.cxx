@@ -151,7 +151,7 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
   for (int first = 0; first < lights; first += SplatsPerDraw)
   {
     program->SetUniformi("vtkiFirstLight", first);
-    this->Mesh.Draw(frame.Window, attribute, std::min(SplatsPerDraw, lights - first));
+    this->Mesh.Draw(frame.Window, attribute, false, std::min(SplatsPerDraw, lights - first));
     if (lights > SplatsPerDraw)
     {
       glFlush();
@@ -165,6 +165,7 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
 bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   const vtkIndirectSplatTable& table, vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum)
 {
+#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   tiles.SetDefinitions(std::string(input.Visibility.GetDefinitions()) +
     input.Lights->GetDefinitions() + table.GetDefinitions(input.Lights->HasLobes()));
@@ -178,6 +179,10 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   {
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Specular, program);
   }
+  glBindImageTexture(
+    0, sum.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
+  // Waits for the kernel's inputs, which llvmpipe does not do by itself.
+  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   const int rows = input.Lights->GetNumberOfRows();
   const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
   for (int row = 0; row < rows; row += rowsPerDraw)
@@ -185,11 +190,19 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
     const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
     program->SetUniform2i("vtkiLightRows", block);
     program->SetUniformi("vtkiAdds", row > 0);
-    tiles.AddImages(sum);
-    tiles.Run(frame.Size[0], frame.Size[1], TileSize);
+    glDispatchCompute(static_cast<GLuint>((frame.Size[0] + TileSize - 1) / TileSize),
+      static_cast<GLuint>((frame.Size[1] + TileSize - 1) / TileSize), 1);
+    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
   }
+  // The next user of the image may sample it, draw over it, add to it, read it back or replace it.
+  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
+    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
   table.Deactivate(input);
   return true;
+#else
+  return input.Lights && table.GetBytes() > 0 && sum.GetWidth() > 0;
+#endif
 }
 
 //------------------------------------------------------------------------------

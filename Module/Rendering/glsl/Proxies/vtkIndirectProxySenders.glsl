@@ -1,7 +1,16 @@
 // Light that falls on senders: on groups of a few spheres, at positions where these are open, and
 // on flat polygons.
 uniform sampler2D vtkiSenderNormal; // normal; in the fourth component 1 if there is one
+uniform sampler2D vtkiProxyBlocks;  // lower, upper corner of the box of each block of entries
+uniform int vtkiBlockCount;
 uniform int vtkiSenderCount;
+
+bool vtkiMeetsBlock(int block, vec3 middle, vec3 halfSize)
+{
+  vec3 lower = texelFetch(vtkiProxyBlocks, ivec2(0, block), 0).xyz;
+  vec3 upper = texelFetch(vtkiProxyBlocks, ivec2(1, block), 0).xyz;
+  return all(lessThanEqual(lower, middle + halfSize)) && all(greaterThanEqual(upper, middle - halfSize));
+}
 
 void vtkiFetchSender(int number, out vec4 place, out vec4 normal)
 {

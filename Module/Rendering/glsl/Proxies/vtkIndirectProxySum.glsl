@@ -20,6 +20,7 @@ uniform vec2 vtkiEntryScale;
 uniform vec2 vtkiLightScale;
 // position; radius, or the area that a place of a polygon represents
 uniform sampler2D vtkiSenderPlace;
+uniform float vtkiProxyLightReach; // radii within which a sphere sends; 0: everywhere
 #ifdef VTKI_PROXY_SENDERS
 // Centre of the sphere whose light is summed. A sphere does not hide itself: its normals' cosines
 // do that, and the half space behind one of its places is in front of others.
@@ -119,7 +120,7 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   vec2 place = (vec2(at) + 0.5f) * vtkiEntryScale;
   vec4 sphere = textureLod(vtkiProxyCenter, place, 0.0f);
   vtkiRegion region = vtkiUnpackRegion(textureLod(vtkiProxyRegion, place, 0.0f));
-#ifdef VTKI_PROXY_SENDERS
+#if defined(VTKI_PROXY_SENDERS) && defined(VTKI_PROXY_TREE)
   // Groups of up to twice the angle suffice to find where a place is open, and how bright.
   float share = dot(normal, normal) > 0.0f && !vtkiAllNormals ? 1.0f : 0.5f;
   region.Outer *= share;
@@ -164,16 +165,18 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
     sums.hidden.D += y.D * zonal.w;
     weight *= region.Share;
 #ifdef VTKI_PROXY_LIGHT
+    float reach = vtkiProxyLightReach > 0.0f ? vtkiProxyWithin(d, vtkiProxyLightReach * sphere.w) : 1.0f;
 #ifdef VTKI_PROXY_SHADOWED
     // Averaged over the disk, whose mean normal is -d times a length. The part that is closed
     // towards the receiver is not visible from it and does not count in the mean of all that hides
     // the sky.
     vec4 sent = vtkiEntryIrradiance(at, (vtkiProxyAverage(sine).y / 0.48860251f) * direction);
     vec3 radiance = sent.rgb;
-    weight *= sent.a;
+    reach *= sent.a;
 #elif !defined(VTKI_PROXY_EXACT)
     vec3 radiance = vtkiSphereRadiance(y, sine) * texelFetch(vtkiProxyAlbedo, at, 0).rgb;
 #endif
+    weight *= reach;
 #ifdef VTKI_PROXY_EXACT
     float given = weight * 2.0f * VTKI_PI * vtkiProxyRow(sine);
     vtkiProxyOperator exact = vtkiExactOperator(sine);

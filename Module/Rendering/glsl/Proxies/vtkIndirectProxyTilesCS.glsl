@@ -1,6 +1,8 @@
 //VTK::System::Dec
-// A group of invocations for each tile of 16 x 16 receivers; each invocation descends the tree of
-// spheres by itself.
+// A group of invocations for each tile of 16 x 16 receivers. If spheres are in groups
+// (VTKI_PROXY_TREE) each invocation descends their tree by itself; otherwise the group lists the
+// spheres whose regions meet the bounding box of its receivers, a bit set for a block of 256 at a
+// time, and sums those in order.
 //
 // The receivers are every vtkiStep-th pixel, whose light goes to coarse images; with
 // VTKI_PROXY_PIXELS all pixels, or with VTKI_PROXY_REST those of a list, whose light goes to images
@@ -33,6 +35,69 @@ layout(rgba32f, binding = 3) uniform image2D vtkiCoarseImage3;
 #endif
 #endif
 
+#ifdef VTKI_PROXY_TREE
+vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
+{
+  return vtkiSumProxies(position, normal, lit);
+}
+#else
+#include "vtkIndirectTileBox.glsl"
+shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
+
+// Sums for each invocation's receiver, if `lit`.
+vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
+{
+  int number = int(gl_LocalInvocationIndex);
+  barrier();
+  vtkiBeginBox();
+  if (lit)
+  {
+    vtkiAddToBox(position);
+  }
+  vec3 middle;
+  vec3 halfSize;
+  bool some = vtkiEndBox(middle, halfSize);
+
+  vtkiProxySums sums = vtkiNoProxies();
+  for (int block = 0; block < vtkiBlockCount && some; ++block)
+  {
+    if (!vtkiMeetsBlock(block, middle, halfSize))
+    {
+      continue; // uniform over the group
+    }
+    if (number < VTKI_ROW_LENGTH / 32)
+    {
+      vtkiListed[number] = 0u;
+    }
+    barrier();
+    int entry = block * VTKI_ROW_LENGTH + number;
+    if (entry < vtkiProxyCount)
+    {
+      ivec2 at = vtkiTableTexel(entry);
+      vec3 center = texelFetch(vtkiProxyCenter, at, 0).xyz;
+      vtkiRegion region = vtkiUnpackRegion(texelFetch(vtkiProxyRegion, at, 0));
+      if (vtkiProxyMeetsBox(middle, halfSize, center + region.ToOuter, region.Outer, center, region.Inner))
+      {
+        atomicOr(vtkiListed[number >> 5], 1u << uint(number & 31));
+      }
+    }
+    barrier();
+    for (int word = 0; word < VTKI_ROW_LENGTH / 32; ++word)
+    {
+      uint bits = lit ? vtkiListed[word] : 0u;
+      while (bits != 0u)
+      {
+        int next = block * VTKI_ROW_LENGTH + 32 * word + findLSB(bits);
+        bits &= bits - 1u;
+        vtkiAddProxy(position, normal, next, sums);
+      }
+    }
+    barrier();
+  }
+  return sums;
+}
+#endif
+
 #ifdef VTKI_PROXY_SENDERS
 void main()
 {
@@ -41,9 +106,9 @@ void main()
   vec4 place;
   vec4 normal;
   vtkiFetchSender(inside ? number : 0, place, normal);
-  vtkiProxySums around = vtkiSumProxies(place.xyz, vec3(0.0f), inside && !(normal.w > 0.0f));
+  vtkiProxySums around = vtkiSumTile(place.xyz, vec3(0.0f), inside && !(normal.w > 0.0f));
   vtkiOpenSender(around, place, normal);
-  vtkiProxySums sums = vtkiSumProxies(place.xyz, normal.xyz, inside);
+  vtkiProxySums sums = vtkiSumTile(place.xyz, normal.xyz, inside);
   vec4 light[4];
   vtkiLightOfSender(sums, place, normal, light);
   bool sphere = !(normal.w > 0.0f);
@@ -51,7 +116,7 @@ void main()
   {
     vtkiTurnSender(place, normal);
   }
-  sums = vtkiSumProxies(place.xyz, normal.xyz, inside && sphere);
+  sums = vtkiSumTile(place.xyz, normal.xyz, inside && sphere);
   if (sphere)
   {
     vec4 front[4] = light;
@@ -87,7 +152,7 @@ void main()
 #endif
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver) && inside;
-  vtkiProxySums sums = vtkiSumProxies(receiver.position, receiver.normal, lit);
+  vtkiProxySums sums = vtkiSumTile(receiver.position, receiver.normal, lit);
   vtkiProxyLit result = vtkiResolveProxies(receiver.position, receiver.normal, sums);
 #if defined(VTKI_PROXY_PIXELS) || defined(VTKI_PROXY_REST)
 #ifdef VTKI_PROXY_REST

@@ -86,6 +86,24 @@ vtkiRegion vtkiUnpackRegion(vec4 texel)
   return region;
 }
 
+/* Squared distances from a point to the nearest and farthest point of a box. */
+vec2 vtkiBoxDistances(vec3 middle, vec3 halfSize, vec3 point)
+{
+  vec3 away = abs(point - middle);
+  vec3 nearest = max(away - halfSize, vec3(0.0f));
+  vec3 farthest = away + halfSize;
+  return vec2(dot(nearest, nearest), dot(farthest, farthest));
+}
+
+/* True if an entry may count somewhere in a box. */
+bool vtkiProxyMeetsBox(vec3 middle, vec3 halfSize, vec3 outerCenter, float outer, vec3 center, float inner)
+{
+  vec2 toOuter = vtkiBoxDistances(middle, halfSize, outerCenter);
+  vec2 toCenter = vtkiBoxDistances(middle, halfSize, center);
+  float least = VTKI_PROXY_BAND * max(inner, 0.0f);
+  return toOuter.x < outer * outer && toCenter.y >= least * least;
+}
+
 /* One edge's part of the vector sum of a polygon's directions (Lambert): the angle of the edge,
  * about the normal of the plane through it. a, b: unit directions to its corners. */
 vec3 vtkiPolygonEdge(vec3 a, vec3 b)

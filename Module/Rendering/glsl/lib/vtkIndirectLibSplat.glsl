@@ -111,6 +111,37 @@ bool vtkiSplatMeetsBox(vtkiSplat splat, vec3 middle, vec3 halfSize)
   return splat.across > 0.0f && a * a + b * b <= 1.0f;
 }
 
+/* u Q v of the ellipsoid's half axes: Q = sum of e e^T over them. */
+float vtkiSplatForm(vtkiSplat splat, vec3 u, vec3 v)
+{
+  float difference = splat.along * splat.along - splat.across * splat.across;
+  return splat.across * splat.across * dot(u, v) + difference * dot(u, splat.axis) * dot(v, splat.axis);
+}
+
+/* Least and largest value of x / w over the ellipsoid, x and w affine in the position: rows of a
+ * projection. Exact if all of it lies in front of the eye's plane w = 0. Returns 1 then, -1 if all
+ * of it lies behind, and 0 if it meets that plane, so that there is no range. The discriminant
+ * avoids the difference of its squares, which would cancel for a small ellipsoid. */
+int vtkiSplatRange(vtkiSplat splat, vec4 rowX, vec4 rowW, VTKI_OUT(vec2) range)
+{
+  vec3 x = vec3(rowX.x, rowX.y, rowX.z);
+  vec3 w = vec3(rowW.x, rowW.y, rowW.z);
+  float px = dot(x, splat.center) + rowX.w;
+  float pw = dot(w, splat.center) + rowW.w;
+  float xx = vtkiSplatForm(splat, x, x);
+  float xw = vtkiSplatForm(splat, x, w);
+  float ww = vtkiSplatForm(splat, w, w);
+  // The point nearest to the eye's plane is pw - sqrt(ww) away; an ellipsoid within a thousandth
+  // counts as meeting the plane.
+  float clear = pw * pw * 0.998f - ww;
+  vec3 across = px * w - pw * x;
+  float root = sqrt(max(vtkiSplatForm(splat, across, across) - max(xx * ww - xw * xw, 0.0f), 0.0f));
+  float scale = 1.0f / max(pw * pw - ww, 1.0e-30f);
+  float middle = px * pw - xw;
+  range = vec2((middle - root) * scale, (middle + root) * scale);
+  return clear > 0.0f ? (pw > 0.0f ? 1 : -1) : 0;
+}
+
 /* Share of a light at a position that its splat has; the far field has the rest. level: intensity
  * over the squared distance, over the lowest that counts. Zero below one; fades: one from two on,
  * otherwise from one on. */
