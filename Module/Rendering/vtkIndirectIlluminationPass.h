@@ -216,8 +216,10 @@ public:
 
   ///@{
   /**
-   * Texels along an edge of a light's map. Default 512, range 1 to 16384. Larger maps make sharper
-   * shadows; the mean of the indirect light does not depend on this number.
+   * Texels along an edge of a light's map. Default 0: 512, or, where the estimator sums virtual
+   * lights, as many as the frame has pixels along its longer edge, rounded up to 1024 or 2048, in
+   * at most 335 MB. Range 1 to 16384 besides. Larger maps make sharper shadows; the mean of the
+   * indirect light does not depend on this number.
    */
   void SetReflectiveShadowMapResolution(int texels);
   int GetReflectiveShadowMapResolution();

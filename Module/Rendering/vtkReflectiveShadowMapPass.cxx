@@ -11,6 +11,8 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkReflectiveShadowMapPass);
 
 //------------------------------------------------------------------------------
@@ -20,6 +22,17 @@ vtkReflectiveShadowMapPass::vtkReflectiveShadowMapPass()
 }
 
 vtkReflectiveShadowMapPass::~vtkReflectiveShadowMapPass() = default;
+
+//------------------------------------------------------------------------------
+void vtkReflectiveShadowMapPass::SetResolution(int texels)
+{
+  const int clamped = texels == 0 ? 0 : std::min(std::max(texels, 1), 16384);
+  if (this->Settings.Resolution != clamped)
+  {
+    this->Settings.Resolution = clamped;
+    this->Modified();
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkReflectiveShadowMapPass::PrintSelf(ostream& os, vtkIndent indent)

@@ -44,12 +44,15 @@ public:
 
   ///@{
   /**
-   * Texels along an edge of a map. Default 512, range 1 to 16384; OpenGL's own limit is reported
-   * as an error when a frame is drawn. If more than six faces of all maps together would have more
-   * than 32 million texels (1.3 GB with shadows: 128 faces of 512), they have a half, a quarter
-   * and so on along an edge, and the report says so.
+   * Texels along an edge of a map. Default 0: 512, or, where shadows are looked up and the cost of
+   * bounces does not grow with the maps, the next power of two from the frame's longer edge, at
+   * most 2048 and less if all maps would have more than 8 million texels. Range 1 to 16384 besides;
+   * OpenGL's own limit is reported as an error when a frame is drawn. If more than six faces of all
+   * maps together would have more than 32 million texels (1.3 GB with shadows: 128 faces of 512),
+   * they have a half, a quarter and so on along an edge, and the report says so.
    */
-  vtkIndirectClampMacro(Resolution, int, 1, 16384);
+  virtual void SetResolution(int texels);
+  virtual int GetResolution() const { return this->Settings.Resolution; }
   ///@}
 
   /** Returns the number of lights that have a map in the last frame. */
@@ -69,7 +72,7 @@ private:
 
   struct SettingsType
   {
-    int Resolution = 512;
+    int Resolution = 0;
   };
   SettingsType Settings;
 

@@ -177,6 +177,17 @@ class Contact(unittest.TestCase):
                 self.assertGreater(outside.min(), 0.999)
                 self.assertEqual(inside.max(), 0.0)
 
+    def test_maps_are_as_fine_as_the_frame(self) -> None:
+        floor = mesh([[-1, 0, 1], [1, 0, 1], [1, 0, -1], [-1, 0, -1]], [[0, 1, 2, 3]])
+        sun, position, focal = (0.2, 1.0, 0.1), (0.0, 1.2, 2.4), (0.0, 0.0, 0.0)
+        for asked, size, texels in ((0, 400, 512), (0, 600, 1024), (256, 600, 256)):
+            with self.subTest(asked=asked, size=size):
+                scene = Scene(self, [floor], sun, position, focal, (size, 60), (0, 1, 0))
+                scene.indirect.SetReflectiveShadowMapResolution(asked)
+                scene.window.Render()
+                settings = vtkindirect.report(scene.renderer)["settings"]
+                self.assertEqual(settings["ReflectiveShadowMapResolution"], texels)
+
     def test_a_wall_is_lit_down_to_its_foot(self) -> None:
         floor = mesh([[-1, 0, 2], [1, 0, 2], [1, 0, 0], [-1, 0, 0]], [[0, 1, 2, 3]])
         wall = mesh([[-1, 0, 0], [1, 0, 0], [1, 2, 0], [-1, 2, 0]], [[0, 1, 2, 3]])

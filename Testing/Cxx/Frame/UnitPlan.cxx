@@ -178,6 +178,29 @@ VTK_INDIRECT_TEST(PlanSenders)
     plan.Shadows && !plan.Irradiance && plan.WhyNoIrradiance == "IndirectScale is 0");
 }
 
+// Maps are as fine as the frame's pixels where shadows are looked up and no estimator sums texels.
+VTK_INDIRECT_TEST(PlanMapTexels)
+{
+  vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  vtkIndirectAbilities lights;
+  lights.TakesSampler = true;
+  auto find = [&frame](int width, int height, bool shadows, const vtkIndirectAbilities& estimator)
+  {
+    frame.Size[0] = width;
+    frame.Size[1] = height;
+    vtkIndirectSettings settings;
+    settings.Shadows = shadows;
+    return vtkIndirectPlan::Make(frame, settings, estimator, {}).MapTexels;
+  };
+  CheckEqual("a small frame", find(512, 64, true, lights), 512);
+  CheckEqual("a larger one", find(513, 64, true, lights), 1024);
+  CheckEqual("a tall one", find(64, 1024, true, lights), 1024);
+  CheckEqual("a large one", find(1920, 1080, true, lights), 2048);
+  CheckEqual("no more", find(3840, 2160, true, lights), 2048);
+  CheckEqual("without shadows", find(1920, 1080, false, lights), 512);
+  CheckEqual("an estimator that sums texels", find(1920, 1080, true, {}), 512);
+}
+
 VTK_INDIRECT_TEST(PlanBuffers)
 {
   vtkIndirectFrame frame = MakeFrame({ MakeLight() });

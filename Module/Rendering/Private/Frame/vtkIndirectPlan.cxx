@@ -12,6 +12,7 @@ namespace
 // The last bounce of a random walk if NumberOfBounces is automatic: in a closed room of albedo 0.97
 // later bounces would add a fiftieth of all light.
 constexpr int MostBounces = 128;
+constexpr int MostMapTexels = 2048;
 // RMS error over the mean of the sky's light under spheres: 0.041 to 0.056 on scenes of spheres
 // (Documentation/methods/sphere-proxies.md).
 constexpr double ErrorOfSpheres = 0.05;
@@ -72,6 +73,13 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.FindBounces(frame, settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
+  // Texels as fine as the frame's pixels make edges of shadows as sharp as those of surfaces. An
+  // estimator that sums the maps' texels would take longer.
+  while (plan.Shadows && estimator.TakesSampler && plan.MapTexels < MostMapTexels &&
+    plan.MapTexels < std::max(frame.Size[0], frame.Size[1]))
+  {
+    plan.MapTexels *= 2;
+  }
   const bool sent = !estimator.SumsSky &&
     (plan.Senders != NO_SENDERS || plan.SkyBounces || plan.AreaLightsBounce || plan.OtherSamplers);
   const bool sentBesides = plan.Sky && plan.SkySource != SKY_BY_MAPS;

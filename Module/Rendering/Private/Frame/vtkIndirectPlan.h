@@ -93,6 +93,8 @@ struct vtkIndirectPlan
   int Senders = NO_SENDERS;
   /** Lights with a map: places in vtkIndirectFrame::Lights. */
   std::vector<int> MapLights;
+  /** Texels along an edge of a map where the user leaves the number to the pass. */
+  int MapTexels = 512;
   bool Shadows = false;             // mappers look up shadows in these maps
   bool Specular = false;            // estimators reflect specularly
   bool SurfacesAreSpecular = false; // the geometry buffer holds the data for that

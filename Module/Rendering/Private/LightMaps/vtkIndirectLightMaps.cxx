@@ -51,6 +51,9 @@ constexpr int ChannelsOfDiffuse = 3;
 constexpr double MostTexelsOfAll = 32.0 * 1024.0 * 1024.0;
 constexpr int MostFacesOfLight = 6;
 constexpr int LeastTexels = 16;
+// Number of texels of all maps together whose resolution follows the frame: 335 MB.
+constexpr double MostTexelsOfAutomatic = 8.0 * 1024.0 * 1024.0;
+constexpr int LeastTexelsOfAutomatic = 512;
 
 // Returns the wanted resolution, or a half, a quarter and so on if there are many layers.
 int FindTexels(int resolution, int layers)
@@ -58,6 +61,16 @@ int FindTexels(int resolution, int layers)
   int texels = resolution;
   while (layers > MostFacesOfLight && texels / 2 >= LeastTexels &&
     1.0 * layers * texels * texels > MostTexelsOfAll)
+  {
+    texels /= 2;
+  }
+  return texels;
+}
+
+// Returns the plan's resolution, or a half or a quarter if the maps would take too much memory.
+int FindAutomaticTexels(int texels, int layers)
+{
+  while (texels > LeastTexelsOfAutomatic && 1.0 * layers * texels * texels > MostTexelsOfAutomatic)
   {
     texels /= 2;
   }
@@ -164,6 +177,10 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
       << "light: this OpenGL holds " << mostLayers << " faces of maps.");
   }
   this->LightsTooMany = tooMany;
+  if (resolution == 0)
+  {
+    this->Resolution = FindAutomaticTexels(plan.MapTexels, this->NumberOfLayers);
+  }
   this->Texels = FindTexels(this->Resolution, this->NumberOfLayers);
   if (this->NumberOfMaps == 0)
   {
