@@ -98,7 +98,8 @@ private:
   vtkMTimeType TreeTime = 0; // time of this pass when the tree was built
   bool TreeIsThere = false;
   vtkIndirectProxyStep StepBySpheres;
-  glm::dvec3 Eye{ 0.0 }; // the eye when the tree was built, in scene units
+  glm::dvec3 Eye{ 0.0 }; // scene units
+  bool SaidInside = false;
   // Without groups: the reach that an environment needs, and its inputs.
   vtkIndirectProxyReach Needed;
   vtkEnvironmentLight* Environment = nullptr; // compared only
@@ -300,6 +301,15 @@ bool ProxySum::Sum(const Input& input)
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool moved = this->Scene.Update(frame, this->Given, &this->Set);
   this->Eye = glm::dvec3(frame.ViewToScene[3]);
+  const bool inside = this->Scene.CountAround(this->Eye) > 0 &&
+    input.Plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR;
+  if (inside && !this->SaidInside)
+  {
+    vtkWarningWithObjectMacro(&this->Set,
+      "The camera is inside of a body for which spheres stand as they are seen from outside: it is "
+      "too bright there. Other methods take the body as it is.");
+  }
+  this->SaidInside = inside;
   const bool reaches = this->FindReach(input.Environment);
   const bool rebuilds =
     moved || reaches || !this->TreeIsThere || this->TreeTime != this->Set.GetMTime();

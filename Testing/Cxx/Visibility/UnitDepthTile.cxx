@@ -308,7 +308,8 @@ VTK_INDIRECT_TEST(DepthTileEndsAtARim)
   }
   CheckAtLeast("texels beyond the rim", counted, 100, "the test's own power");
   CheckAtMost("perspective: share of texels that show light",
-    static_cast<double>(leaks[0]) / counted, 0.01, "half a texel's bend");
+    static_cast<double>(leaks[0]) / counted, 0.1,
+    "walls within two texels of a receiver's plane, at grazing angles; 1 without the rule");
   CheckEqual("parallel: texels that show light", leaks[1], 0);
 }
 

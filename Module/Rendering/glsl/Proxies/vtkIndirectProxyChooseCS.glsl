@@ -10,9 +10,6 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform image2D vtkiSkyImage;
 layout(r32f, binding = 1) uniform image2D vtkiCountImage;
 
-// A receiver with a smaller agreement represents no pixel.
-const float VTKI_LEAST_ALIKE = 0.05f;
-
 float vtkiFacesEye(vtkiReceiver receiver)
 {
   return -dot(receiver.normalVC, normalize(receiver.positionVC));

@@ -6,14 +6,13 @@
 // further receivers.
 #include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectProxySum.glsl"
+#include "vtkIndirectProxyTile.glsl"
 
 uniform sampler2D vtkiCoarse0; // a colour's irradiance a + b n: b, a
 uniform sampler2D vtkiCoarse1;
 uniform sampler2D vtkiCoarse2;
 uniform sampler2D vtkiCoarse3; // light that proxies send
 
-// Below this sum of weights no receiver agrees.
-const float VTKI_LEAST_WEIGHT = 1.0e-3f;
 void main()
 {
   ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -34,7 +33,7 @@ void main()
       vtkiSample found = vtkiFetchSample(cell, i);
       float same = vtkiAgreement(receiver, found.receiver, distance);
       // The constant keeps a single agreeing sample at the cell's other end.
-      float weight = found.lit ? (found.weight + 1.0e-3f) * same : 0.0f;
+      float weight = found.lit && same > VTKI_LEAST_ALIKE ? (found.weight + 1.0e-3f) * same : 0.0f;
       sum += weight;
       sky[0] += weight * textureLod(vtkiCoarse0, found.place, 0.0f);
       sky[1] += weight * textureLod(vtkiCoarse1, found.place, 0.0f);
@@ -46,7 +45,7 @@ void main()
     float scale = 1.0f / max(sum, 1.0e-30f);
     bounce *= scale;
     result = vec4(scale * vtkiProxyIrradiance(sky, receiver.normal), 1.0f);
-    if (!(sum > VTKI_LEAST_WEIGHT))
+    if (sum == 0.0f)
     {
 #ifdef VTKI_PROXY_GATHER
       vtkiProxySums sums = vtkiSumProxies(receiver.position, receiver.normal, true);

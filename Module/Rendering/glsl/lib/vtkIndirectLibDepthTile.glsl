@@ -104,12 +104,12 @@ bool vtkiIsSeenInPerspectiveTile(
 
 /* True if the receiver's surface ends before the texel's centre, as beyond the rim of a closed body
  * with the receiver inside: the receiver's plane comes nearer to the light there, and the tile
- * shows something farther behind the plane than half a texel, by which a surface may bend away.
- * Such a texel does not tell what hides the receiver. Values are those of
- * vtkiIsSeenInPerspectiveTile. Needs no division. */
+ * shows something farther behind the plane than two texels: a surface may bend away within a
+ * texel, and a sample of several pixels stands before the surface. Such a texel does not tell what
+ * hides the receiver. Values are those of vtkiIsSeenInPerspectiveTile. Needs no division. */
 bool vtkiEndsInPerspectiveTile(float inverse, float depth, float facing, float along, float bias)
 {
-  float bend = (0.5f / VTKI_TILE_ROUGHNESS) * bias * depth;
+  float bend = (2.0f / VTKI_TILE_ROUGHNESS) * bias * depth;
   return along * depth < facing && along < (facing - bend) * inverse;
 }
 
