@@ -91,6 +91,39 @@ VTK_INDIRECT_TEST(DepthMapsHideAsTrianglesDo)
     FindRelativeError(scene.Copy("irradiance"), open, normal), 2e-3, "half floats");
 }
 
+// A sheet hangs under a lit ceiling, near the edge of the ceiling. A few clusters stand for the
+// ceiling, with places behind the sheet; nothing hides the ceiling's edge from the sheet's front.
+VTK_INDIRECT_TEST(DepthMapsOfClustersThroughASheet)
+{
+  Scene scene(48, 32);
+  const glm::dvec3 black(0.0);
+  scene.AddQuad({ 0, 1, 0 }, { 2, 1, 0 }, { 0, 1, 1 }, glm::dvec3(0.8));
+  scene.AddQuad({ 0, 0.5, 0.9 }, { 2, 0.5, 0.9 }, { 0, 0.98, 0.9 }, black);
+  scene.AddSpot({ 1, -4, 0.5 }, { 1, 1, 0.5 }, 20.0, 0.0, { 1, 0, 0 });
+  scene.SetEye({ 1, 0.75, 3.0 }, { 1, 0.75, 0.9 }, { 0, 1, 0 }, 12, 0.1, 10);
+  scene.Pass->ShadowsOff();
+  vtkNew<vtkLightTreeSampler> tree;
+  tree->SetNumberOfLights(16);
+  scene.Pass->SetSampler(tree);
+  vtkNew<vtkMultiresolutionSplattingPass> splatting;
+  for (vtkIndirectEstimatorPass* estimator : { static_cast<vtkIndirectEstimatorPass*>(scene.Gather),
+         static_cast<vtkIndirectEstimatorPass*>(splatting) })
+  {
+    scene.Gather->SetModeToVirtualLights();
+    scene.Pass->SetEstimator(estimator);
+    scene.Pass->SetVisibilityToNone();
+    scene.Render();
+    const double open = scene.Copy("irradiance").Mean();
+    scene.Pass->SetVisibilityToMaps();
+    scene.Render();
+    Check("the sheet's front is lit", open > 0.0);
+    CheckRelative(std::string("light on the front: ") + estimator->GetClassName(),
+      scene.Copy("irradiance").Mean(), open, 0.02, "nothing is hidden from it");
+  }
+  scene.Pass->SetEstimator(nullptr);
+  scene.Pass->SetSampler(nullptr);
+}
+
 // A square sender half hidden by a straight edge: the form factor of its visible part.
 VTK_INDIRECT_TEST(DepthMapsMakePenumbrae)
 {
