@@ -83,6 +83,7 @@ void vtkIndirectDepthAtlas::MarkStale(
 void vtkIndirectDepthAtlas::Request(
   const vtkIndirectFrame& frame, const std::vector<Map>& maps, int texels, double memory)
 {
+  this->ReceiversCast = frame.NumberOfOtherReceivers == 0;
   const int edge = std::min(vtkTextureObject::GetMaximumTextureSize(frame.Window), MostTexels);
   int most = this->CountMostTiles(texels, edge, memory);
   while (texels / 2 >= LeastTexels && maps.size() > static_cast<size_t>(most))
@@ -391,6 +392,10 @@ void vtkIndirectDepthAtlas::Activate(vtkShaderProgram* program) const
   this->Depths.ActivateDepth(program, "vtkiDepthTiles");
   vtkIndirectSetUniform(
     program, "vtkiTileShape", glm::vec3(this->Columns, this->Rows, this->Texels));
+  if (program->IsUniformUsed("vtkiReceiversCast"))
+  {
+    program->SetUniformi("vtkiReceiversCast", this->ReceiversCast ? 1 : 0);
+  }
 }
 
 //------------------------------------------------------------------------------

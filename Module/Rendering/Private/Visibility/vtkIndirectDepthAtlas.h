@@ -136,6 +136,7 @@ private:
   int NumberOfTilesTooMany = 0;
   size_t NumberOfTilesDrawn = 0;
   bool Changed = false;
+  bool ReceiversCast = true; // all receivers cast shadows
 };
 
 #endif

@@ -22,14 +22,22 @@ struct vtkiSkyDirection
   vec4 down;
   vec4 light;
   vec4 place;
-  float halfTexel; // over the range of depth, squared
+  float halfTexel; // over the range of depth, squared; infinite for receivers that cast no shadow
 };
+
+#ifdef VTKI_VISIBILITY
+uniform int vtkiReceiversCast; // see vtkIndirectDepthTiles.glsl
+#else
+const int vtkiReceiversCast = 1;
+#endif
 
 vtkiSkyDirection vtkiFetchSkyDirection(int i)
 {
   return vtkiSkyDirection(
     vtkiSkyRight[i], vtkiSkyUp[i], vtkiSkyDepth[i], vtkiSkyLight[i], vtkiSkyPlace[i],
-    0.5f * length(vtkiSkyDepth[i].xyz) * sqrt(max(vtkiSkyPlace[i].z, vtkiSkyPlace[i].w)));
+    vtkiReceiversCast != 0
+      ? 0.5f * length(vtkiSkyDepth[i].xyz) * sqrt(max(vtkiSkyPlace[i].z, vtkiSkyPlace[i].w))
+      : 1.0e30f);
 }
 
 #ifdef VTKI_VISIBILITY

@@ -4,6 +4,8 @@
 
 uniform sampler2D vtkiDepthTiles;
 uniform vec3 vtkiTileShape; // columns and rows of tiles in the atlas, texels along an edge of a tile
+// 1 if all receivers cast shadows. Tiles show no surface of other receivers, which ends nowhere.
+uniform int vtkiReceiversCast;
 
 // Data that all look-ups in a tile share.
 struct vtkiTile
@@ -52,7 +54,9 @@ bool vtkiIsSeenInView(
   float along = dot(view.normal.xy, ray) + view.normal.z;
   float bias = VTKI_TILE_ROUGHNESS * max(tangents.x * perHalf.x, tangents.y * perHalf.y);
   float facing = dot(view.normal, view.away);
-  return outside || (!vtkiEndsInPerspectiveTile(inverse, view.away.z, facing, along, bias) &&
+  bool ends = vtkiReceiversCast != 0 &&
+    vtkiEndsInPerspectiveTile(inverse, view.away.z, facing, along, bias);
+  return outside || (!ends &&
     (stored >= 1.0f || vtkiIsSeenInPerspectiveTile(inverse, view.away.z, facing, along, bias)));
 }
 
