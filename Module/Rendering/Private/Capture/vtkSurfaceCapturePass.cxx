@@ -241,17 +241,6 @@ void vtkSurfaceCapturePass::SetOutputs(const Outputs& outputs)
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceCapturePass::SetMapsOnly(bool only)
-{
-  if (only != this->MapsOnly)
-  {
-    this->MapsOnly = only;
-    this->SourceTime.Modified();
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
 {
   this->Detach();
@@ -490,7 +479,7 @@ bool vtkSurfaceCapturePass::PostReplaceShaderValues(std::string& vertexShader,
   const Internals& in = *this->Internal;
   const vtkIndirectCaptureText text{ in.LightConstants, this->Written.Shadows,
     this->Written.Specular, this->Written.SpecularOfPBR, in.FlatUniforms,
-    mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0, this->MapsOnly };
+    mapper->IsA("vtkOpenGLPointGaussianMapperHelper") != 0, this->Written.MapsOnly };
   text.Add(vertexShader, geometryShader, fragmentShader);
   return true;
 }

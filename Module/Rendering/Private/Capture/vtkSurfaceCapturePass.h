@@ -71,26 +71,22 @@ public:
     // light maps also F0 and minus the roughness of VTK's PBR.
     bool Specular = false;
     bool SpecularOfPBR = false; // F0 and minus the roughness in the eye's stage, too; else zero
+    bool MapsOnly = false;      // programs draw maps alone, and compute no light of the view
 
     bool operator!=(const Outputs& other) const
     {
       return this->Shadows != other.Shadows || this->Specular != other.Specular ||
-        this->SpecularOfPBR != other.SpecularOfPBR;
+        this->SpecularOfPBR != other.SpecularOfPBR || this->MapsOnly != other.MapsOnly;
     }
   };
   void SetOutputs(const Outputs& outputs);
+  const Outputs& GetOutputs() const { return this->Written; }
 
   /**
    * Lets VTK's physically based shading add diffuse light of the renderer's environment texture,
    * without occlusion. Default true.
    */
   void SetImageLight(bool imageLight) { this->ImageLight = imageLight; }
-
-  /**
-   * Lets mappers draw with programs for maps alone, which compute no light of the view. A change
-   * rebuilds the shaders of what is drawn next. Default off.
-   */
-  void SetMapsOnly(bool only);
 
   vtkMTimeType GetShaderStageMTime() override { return this->SourceTime.GetMTime(); }
   bool PreReplaceShaderValues(std::string& vertexShader, std::string& geometryShader,
@@ -147,7 +143,6 @@ protected:
   vtkIdType NumberOfShaderBuilds = 0;
   Outputs Written;
   bool ImageLight = true;
-  bool MapsOnly = false;
   vtkTimeStamp SourceTime; // time of the last change to injected text
 
 private:

@@ -240,8 +240,11 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     }
   }
   // The view's programs compute all lights at each texel of each map.
-  capture->SetMapsOnly(changed.size() * frame.Lights.size() >
-    LightsOfOneBuild + LightsOfOneCaster * frame.Casters.size());
+  const vtkSurfaceCapturePass::Outputs view = capture->GetOutputs();
+  vtkSurfaceCapturePass::Outputs maps = view;
+  maps.MapsOnly = changed.size() * frame.Lights.size() >
+    LightsOfOneBuild + LightsOfOneCaster * frame.Casters.size();
+  capture->SetOutputs(maps);
   for (const ChangedFace& face : changed)
   {
     this->DrawFace(frame, capture, *face.Map, face.Face, face.Casters);
@@ -249,7 +252,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     ++this->NumberOfFacesDrawn;
     this->ContentTime.Modified();
   }
-  capture->SetMapsOnly(false);
+  capture->SetOutputs(view);
   this->UpdateTable(frame);
   this->UpdateFresnel(frame);
   return true;

@@ -35,7 +35,7 @@ void vtkIndirectPipeline::AddSettings(vtkIndirectSettingList& list,
     : settings.Lighting;
   list.Add("Lighting", Choice{ vtkIndirectLighting::GetTitle(lighting) })
     .Add("Visibility", Choice{ visibilities[plan ? plan->Visibility : settings.Visibility] })
-    .Add("Shadows", settings.Shadows)
+    .Add("Shadows", plan ? plan->Shadows : settings.Shadows)
     .Add("Antialiasing", plan ? plan->Antialiasing : settings.Antialiasing)
     .Add("ReflectiveShadowMapResolution",
       maps ? this->Maps.GetTexels() : this->MapsPass->GetResolution())

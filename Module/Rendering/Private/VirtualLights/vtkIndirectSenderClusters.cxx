@@ -32,9 +32,8 @@ constexpr double LeastNormal = 0.01;
 // bright part; then receivers that see the dim part alone would see no light at all.
 constexpr double BrightnessLength = 0.05;
 
-// Range of the logarithm of radiosity over the mean radiosity. A vertex of a walk whose area is too
-// small by chance looks very bright: as a cluster of its own it would be a bright spot in a crease,
-// so that whatever is brighter than the upper end counts as that end.
+// Range of the logarithm of radiosity over the mean. A walk's vertex whose area is too small by
+// chance would be a bright spot as a cluster of its own: brighter places count as the upper end.
 constexpr double MostDimness = 4.0;
 constexpr double MostBrightness = 0.5;
 
