@@ -303,7 +303,14 @@ VTK_INDIRECT_TEST(ProxiesSayWhereTheCameraIsWithin)
   camera->SetPosition(0.5, 0.55, 0.6);
   camera->SetFocalPoint(0.5, 0.5, 0.0);
   camera->SetClippingRange(0.01, 10.0);
-  view.Grab();
+  {
+    const ExpectedErrors warnings;
+    view.Grab();
+    view.Grab();
+    CONTRACT_CHECK(warnings.GetCount() == 1 &&
+        warnings.GetText().find("inside of a body") != std::string::npos,
+      "not one warning: " << warnings.GetText());
+  }
   CONTRACT_CHECK(
     Report(view.GetPass()).FindReason("left_out", "the inside of bodies").find("within") !=
       std::string::npos,
