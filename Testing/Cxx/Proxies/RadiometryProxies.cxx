@@ -195,10 +195,11 @@ VTK_INDIRECT_TEST(ProxiesChoicesAreTheSame)
         continue;
       }
       const char* const why = "pixels that no receiver serves share some in tiles, and are summed "
-                              "by themselves in rectangles; 0.009 and 0.021 measured";
+                              "by themselves in rectangles; more of them since no receiver serves a "
+                              "normal 46 degrees from its own: 0.018 and 0.031 measured";
       CheckAtMost(
         name + ": pixels whose sky differs", ShareThatDiffers(sky[0], sky[1], 2e-3), 0.02, why);
-      CheckAtMost(name + ": sky, RMS", FindRelativeError(sky[0], sky[1], normal), 0.03, why);
+      CheckAtMost(name + ": sky, RMS", FindRelativeError(sky[0], sky[1], normal), 0.035, why);
       CheckAtMost(
         name + ": bounce, mean", std::abs(bounce[0].Mean() / bounce[1].Mean() - 1.0), 0.02, why);
     }
