@@ -55,22 +55,11 @@ constexpr int LeastTexels = 16;
 constexpr double MostTexelsOfAutomatic = 8.0 * 1024.0 * 1024.0;
 constexpr int LeastTexelsOfAutomatic = 512;
 
-// Returns the wanted resolution, or a half, a quarter and so on if there are many layers.
-int FindTexels(int resolution, int layers)
+// Returns the wanted texels along an edge, or a half, a quarter and so on down to the least, so that
+// all layers together have no more than `most` texels.
+int FindTexels(int texels, int layers, double most, int least)
 {
-  int texels = resolution;
-  while (layers > MostFacesOfLight && texels / 2 >= LeastTexels &&
-    1.0 * layers * texels * texels > MostTexelsOfAll)
-  {
-    texels /= 2;
-  }
-  return texels;
-}
-
-// Returns the plan's resolution, or a half or a quarter if the maps would take too much memory.
-int FindAutomaticTexels(int texels, int layers)
-{
-  while (texels > LeastTexelsOfAutomatic && 1.0 * layers * texels * texels > MostTexelsOfAutomatic)
+  while (texels / 2 >= least && 1.0 * layers * texels * texels > most)
   {
     texels /= 2;
   }
@@ -179,9 +168,12 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   this->LightsTooMany = tooMany;
   if (resolution == 0)
   {
-    this->Resolution = FindAutomaticTexels(plan.MapTexels, this->NumberOfLayers);
+    this->Resolution = FindTexels(
+      plan.MapTexels, this->NumberOfLayers, MostTexelsOfAutomatic, LeastTexelsOfAutomatic);
   }
-  this->Texels = FindTexels(this->Resolution, this->NumberOfLayers);
+  this->Texels = this->NumberOfLayers > MostFacesOfLight
+    ? FindTexels(this->Resolution, this->NumberOfLayers, MostTexelsOfAll, LeastTexels)
+    : this->Resolution;
   if (this->NumberOfMaps == 0)
   {
     return true;
