@@ -8,7 +8,7 @@ import numpy as np
 from rooms import RED, make_actor, make_ball, make_mapper
 from vtkmodules import vtkRenderingOpenGL2
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkLookupTable
+from vtkmodules.vtkCommonCore import vtkInformation, vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkMultiBlockDataSet, vtkPlane
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkTransform
@@ -28,6 +28,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkGlyph3DMapper,
     vtkLODProp3D,
     vtkPolyDataMapper,
+    vtkProp,
     vtkProperty,
     vtkTexture,
 )
@@ -127,6 +128,41 @@ def texture_pipeline():
     texture.SetInputConnection(canvas.GetOutputPort())
     prop.SetTexture(texture)
     return prop, lambda: fill(canvas, BLUE)
+
+
+def make_halves() -> vtkTexture:
+    """A texture with a red and a blue half."""
+    image = vtkImageData()
+    image.SetDimensions(2, 1, 1)
+    pixels = np.array((RED, BLUE)) * 255
+    image.GetPointData().SetScalars(numpy_to_vtk(pixels.astype(np.uint8), deep=True))
+    texture = vtkTexture()
+    texture.SetInputData(image)
+    return texture
+
+
+@change
+def texture_transform():
+    prop = make_actor(make_sheet(), (1, 1, 1))
+    transform = vtkTransform()
+    prop.SetTexture(make_halves())
+    prop.GetTexture().SetTransform(transform)
+    return prop, lambda: transform.Translate(0.5, 0, 0)
+
+
+@change
+def texture_matrix():
+    prop = make_actor(make_sheet(), (1, 1, 1))
+    prop.SetTexture(make_halves())
+    prop.SetPropertyKeys(vtkInformation())
+
+    def place(x: float) -> None:
+        matrix = np.eye(4)
+        matrix[0, 3] = x
+        prop.GetPropertyKeys().Set(vtkProp.GeneralTextureTransform(), matrix.ravel(), 16)
+
+    place(0)
+    return prop, lambda: place(0.5)
 
 
 @change

@@ -32,6 +32,7 @@
 #include "vtkShaderProperty.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
+#include "vtkTransform.h"
 #include "vtkUniforms.h"
 
 #include <cstdint>
@@ -117,7 +118,24 @@ void vtkIndirectRevision::AddTexture(vtkTexture* texture)
   {
     this->AddInputs(texture);
     this->AddObject(texture->GetLookupTable());
+    this->AddObject(texture->GetTransform());
   }
+}
+
+//------------------------------------------------------------------------------
+// Adds the matrix of texture coordinates that a user has set as a key. vtkActor writes the same key
+// when it draws a texture with a transform; AddTexture has that transform.
+void vtkIndirectRevision::AddTextureMatrix(vtkActor* actor)
+{
+  vtkInformation* keys = actor->GetPropertyKeys();
+  const bool ofTexture = actor->GetTexture() && actor->GetTexture()->GetTransform();
+  if (ofTexture || !keys || !keys->Has(vtkProp::GeneralTextureTransform()))
+  {
+    return;
+  }
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(keys->Get(vtkProp::GeneralTextureTransform()));
+  this->AddMatrix(matrix);
 }
 
 //------------------------------------------------------------------------------
@@ -228,6 +246,7 @@ void vtkIndirectRevision::AddProp(vtkProp* prop, bool whole)
     this->AddProperty(actor->GetProperty());
     this->AddProperty(actor->GetBackfaceProperty());
     this->AddTexture(actor->GetTexture());
+    this->AddTextureMatrix(actor);
     this->AddMapper(actor->GetMapper());
   }
   else if (!whole)

@@ -44,6 +44,7 @@ private:
   void AddData(class vtkDataObject* data);
   void AddInputs(class vtkAlgorithm* algorithm);
   void AddTexture(vtkTexture* texture);
+  void AddTextureMatrix(class vtkActor* actor);
   void AddProperty(class vtkProperty* property);
   void AddShaders(vtkProp* prop);
   void AddMapper(class vtkAbstractMapper* mapper);
