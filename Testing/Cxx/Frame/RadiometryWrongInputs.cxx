@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
+#include "vtkLight.h"
 #include "vtkOpenGLSphereMapper.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -130,4 +131,30 @@ VTK_INDIRECT_TEST(GlassOfNoRoughness)
       }
     }
   }
+}
+
+// A light with a number that is not finite is left out, with its bounces, and is named.
+VTK_INDIRECT_TEST(LightsWithoutAPlace)
+{
+  const auto draw = [](double position, double exponent)
+  {
+    Corner scene;
+    scene.Pass->SetNumberOfBounces(3);
+    vtkLight* second = scene.AddSpot({ 0.9, 1.4, 0.8 }, { 0.4, 0, 0.4 }, 40, 1, { 1, 0, 0 });
+    second->SetIntensity(std::isfinite(position + exponent) ? 0.0 : 1.0);
+    second->SetPosition(position, 1.4, 0.8);
+    second->SetExponent(exponent);
+    scene.Render();
+    scene.CheckBuffers(1);
+    const std::string report = scene.Pass->GetReport();
+    Check("it is named where it has no place",
+      (report.find("its place or its strength is not finite") != std::string::npos) ==
+        !std::isfinite(position + exponent));
+    return scene.Copy("irradiance").Mean();
+  };
+  const double expected = draw(0.9, 1.0);
+  CheckAtLeast("there is light", expected, 1e-3, "the test's own power");
+  CheckRelative("irradiance beside a light at NaN", draw(NaN, 1.0), expected, 1e-6, "it is dark");
+  CheckRelative(
+    "irradiance beside an exponent of NaN", draw(0.9, NaN), expected, 1e-6, "it is dark");
 }

@@ -343,6 +343,15 @@ void vtkIndirectFrame::CollectLights()
     entry.Fill = fill >= 1.0;
     // Surfaces reflect only the share of a light that casts shadows.
     entry.Color *= entry.Fill ? 1.0 : 1.0 - fill;
+    const glm::dvec3 sums = entry.PositionWC + entry.Attenuation + entry.Color;
+    if (!std::isfinite(length + glm::dot(sums, glm::dvec3(1.0)) + entry.ConeAngle + entry.Exponent))
+    {
+      const int index = entry.Index;
+      entry = vtkIndirectLight();
+      entry.Light = light;
+      entry.Index = index;
+      entry.Finite = false;
+    }
     this->Lights.push_back(entry);
   }
 }

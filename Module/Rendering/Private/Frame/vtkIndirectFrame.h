@@ -52,6 +52,8 @@ struct vtkIndirectLight
    * map, and its light is not reflected.
    */
   bool Fill = false;
+  /** False if one of VTK's numbers is not finite: the light counts as dark, and has no place. */
+  bool Finite = true;
 
   /** Largest half angle, in degrees, that one perspective face of a map covers. */
   static constexpr double MaximumSingleFaceAngle = 60.0;

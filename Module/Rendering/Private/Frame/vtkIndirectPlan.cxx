@@ -149,8 +149,8 @@ void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
   {
     if (frame.Lights[i].Color == glm::dvec3(0.0))
     {
-      this->LeftOut.emplace_back(
-        "light " + std::to_string(frame.Lights[i].Index), "it emits nothing");
+      this->LeftOut.emplace_back("light " + std::to_string(frame.Lights[i].Index),
+        frame.Lights[i].Finite ? "it emits nothing" : "its place or its strength is not finite");
       continue;
     }
     if (frame.Lights[i].Fill)

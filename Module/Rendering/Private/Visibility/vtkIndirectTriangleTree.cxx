@@ -333,6 +333,10 @@ struct vtkIndirectTriangleTree::Line
 bool vtkIndirectTriangleTree::Clip(
   const glm::dvec3& start, const glm::dvec3& way, double& enter, double& leave) const
 {
+  if (!std::isfinite(glm::dot(start + way, glm::dvec3(1.0))))
+  {
+    return false;
+  }
   for (int axis = 0; axis < 3; ++axis)
   {
     const double inverse = 1.0 / way[axis];
