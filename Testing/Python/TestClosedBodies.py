@@ -3,7 +3,6 @@
 
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersSources import (
     vtkCubeSource,
@@ -75,17 +74,15 @@ class ClosedBodies(unittest.TestCase):
                     print(f"{name}, {buffer}: mean {light.mean():.5f}, at most {most}")
                     self.assertLess(light.mean(), most)
 
-    def test_spheres_say_that_they_are_seen_from_inside(self) -> None:
-        said = vtkStringOutputWindow()
-        before = vtkOutputWindow.GetInstance()
-        vtkOutputWindow.SetInstance(said)
-        try:
-            renderer = self.look_inside(bodies()["box"], "proxies")
-        finally:
-            vtkOutputWindow.SetInstance(before)
-        self.assertEqual(said.GetOutput().count("The camera is inside of a body"), 1)
-        left_out = [entry["what"] for entry in vtkindirect.report(renderer)["left_out"]]
-        self.assertIn("the inside of bodies", left_out)
+    def test_it_is_dark_in_closed_bodies_by_spheres(self) -> None:
+        # By a sphere that hides the sky from outside only, 0.036 of the sky and 0.34 by a bounce.
+        for name, body in bodies().items():
+            with self.subTest(body=name):
+                renderer = self.look_inside(body, "proxies")
+                for buffer in ("sky", "bounce"):
+                    light = vtkindirect.copy_buffer(renderer, buffer).max(-1)
+                    print(f"{name} by spheres, {buffer}: mean {light.mean():.5f}")
+                    self.assertLess(light.mean(), 0.001)
 
 
 class Furnace(unittest.TestCase):
