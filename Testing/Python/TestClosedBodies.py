@@ -19,9 +19,9 @@ from rooms import make_actor
 WHITE = (0.9, 0.9, 0.9)
 MOST = {"ball": (0.0003, 0.002), "box": (0.002, 0.006), "cylinder": (0.001, 0.0035)}
 """Mean irradiance inside from the sky and by bounces, over that of the open sky (bounces: 0.0016,
-0.0052 and 0.0033 measured). A texel's depth map leaves lines of light in creases, as wide as its bias:
-most of a box's light. Clusters that reach through the plane of a wall light that wall by the share of
-other near clusters that the wall sees, here none, and by a guess that nothing is hidden."""
+0.0052 and 0.0033 measured). A texel's depth map leaves lines of light in creases, as wide as its
+bias: most of a box's light. Clusters that reach through the plane of a wall light that wall by the
+share of other near clusters that the wall sees, here none, and by a guess that nothing is hidden."""
 
 
 def bodies() -> dict[str, vtkAlgorithm]:
