@@ -98,8 +98,6 @@ private:
   vtkMTimeType TreeTime = 0; // time of this pass when the tree was built
   bool TreeIsThere = false;
   vtkIndirectProxyStep StepBySpheres;
-  glm::dvec3 Eye{ 0.0 }; // scene units
-  bool SaidInside = false;
   // Without groups: the reach that an environment needs, and its inputs.
   vtkIndirectProxyReach Needed;
   vtkEnvironmentLight* Environment = nullptr; // compared only
@@ -300,16 +298,6 @@ bool ProxySum::Sum(const Input& input)
 
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool moved = this->Scene.Update(frame, this->Given, &this->Set);
-  this->Eye = glm::dvec3(frame.ViewToScene[3]);
-  const bool inside = this->Scene.CountAround(this->Eye) > 0 &&
-    input.Plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR;
-  if (inside && !this->SaidInside)
-  {
-    vtkWarningWithObjectMacro(&this->Set,
-      "The camera is inside of a body for which spheres stand as they are seen from outside: it is "
-      "too bright there. Other methods take the body as it is.");
-  }
-  this->SaidInside = inside;
   const bool reaches = this->FindReach(input.Environment);
   const bool rebuilds =
     moved || reaches || !this->TreeIsThere || this->TreeTime != this->Set.GetMTime();
@@ -343,6 +331,7 @@ bool ProxySum::Sum(const Input& input)
   sums.Exact = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::EXACT;
   sums.Shadowed = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::SHADOWED;
   sums.LightReach = this->Sends;
+  sums.EyeIsInside = this->Scene.Contains(glm::dvec3(frame.ViewToScene[3]));
   input.Timer.Begin(stage);
   done = done && this->Sums.Sum(sums, this->Sky);
   input.Timer.End(stage);
@@ -391,14 +380,6 @@ std::string ProxySum::DescribeReach() const
 void ProxySum::AddToReport(vtkIndirectReport& report) const
 {
   this->Scene.AddToReport(report);
-  const size_t around = this->Scene.CountAround(this->Eye);
-  if (around > 0)
-  {
-    report.LeftOut.emplace_back("the inside of bodies",
-      "the camera is within " + std::to_string(around) +
-        " of the spheres, which stand for what is seen from outside: there it is too bright. Other "
-        "methods take it as it is");
-  }
   const size_t most = vtkIndirectProxyLight::MostPolygons;
   if (this->Scene.GetPolygons().size() > most)
   {

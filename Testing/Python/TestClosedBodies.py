@@ -3,7 +3,6 @@
 
 import unittest
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersSources import (
     vtkCubeSource,
@@ -18,11 +17,11 @@ import vtkindirect
 from rooms import make_actor
 
 WHITE = (0.9, 0.9, 0.9)
-MOST = {"ball": (0.0005, 0.006), "box": (0.002, 0.0125), "cylinder": (0.001, 0.0095)}
-"""Mean irradiance inside from the sky and by bounces, over that of the open sky. A texel's depth
-map leaves a line of light a pixel wide in creases; white walls send it on nine times. Clusters that
-reach through the plane of a wall light it from inside (0.0049, 0.0110 and 0.0087 measured; a third
-less if their maps hid all before the plane, as which the front of a hanging sheet is black)."""
+MOST = {"ball": (0.0003, 0.002), "box": (0.002, 0.006), "cylinder": (0.001, 0.0035)}
+"""Mean irradiance inside from the sky and by bounces, over that of the open sky (bounces: 0.0016,
+0.0052 and 0.0033 measured). A texel's depth map leaves lines of light in creases, as wide as its
+bias: most of a box's light. Clusters that reach through the plane of a wall light that wall by the
+share of other near clusters that the wall sees, here none, and by a guess that nothing is hidden."""
 
 
 def bodies() -> dict[str, vtkAlgorithm]:
@@ -75,17 +74,15 @@ class ClosedBodies(unittest.TestCase):
                     print(f"{name}, {buffer}: mean {light.mean():.5f}, at most {most}")
                     self.assertLess(light.mean(), most)
 
-    def test_spheres_say_that_they_are_seen_from_inside(self) -> None:
-        said = vtkStringOutputWindow()
-        before = vtkOutputWindow.GetInstance()
-        vtkOutputWindow.SetInstance(said)
-        try:
-            renderer = self.look_inside(bodies()["box"], "proxies")
-        finally:
-            vtkOutputWindow.SetInstance(before)
-        self.assertEqual(said.GetOutput().count("The camera is inside of a body"), 1)
-        left_out = [entry["what"] for entry in vtkindirect.report(renderer)["left_out"]]
-        self.assertIn("the inside of bodies", left_out)
+    def test_it_is_dark_in_closed_bodies_by_spheres(self) -> None:
+        # By a sphere that hides the sky from outside only, 0.036 of the sky and 0.34 by a bounce.
+        for name, body in bodies().items():
+            with self.subTest(body=name):
+                renderer = self.look_inside(body, "proxies")
+                for buffer in ("sky", "bounce"):
+                    light = vtkindirect.copy_buffer(renderer, buffer).max(-1)
+                    print(f"{name} by spheres, {buffer}: mean {light.mean():.5f}")
+                    self.assertLess(light.mean(), 0.001)
 
 
 class Furnace(unittest.TestCase):

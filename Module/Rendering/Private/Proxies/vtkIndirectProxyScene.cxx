@@ -529,11 +529,11 @@ void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectProxyScene::CountAround(const glm::dvec3& place) const
+bool vtkIndirectProxyScene::Contains(const glm::dvec3& place) const
 {
-  return static_cast<size_t>(std::count_if(this->Spheres.begin(), this->Spheres.end(),
+  return std::any_of(this->Spheres.begin(), this->Spheres.end(),
     [&](const vtkIndirectProxySphere& sphere)
-    { return glm::distance(sphere.Center, place) < sphere.Radius; }));
+    { return glm::distance(sphere.Center, place) < sphere.Radius; });
 }
 
 //------------------------------------------------------------------------------

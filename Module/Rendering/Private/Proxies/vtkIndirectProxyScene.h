@@ -45,8 +45,8 @@ public:
   bool Update(const vtkIndirectFrame& frame, const Given& given, vtkObject* caller);
 
   const std::vector<vtkIndirectProxySphere>& GetSpheres() const { return this->Spheres; }
-  /** Number of spheres that contain a position, in scene units. */
-  size_t CountAround(const glm::dvec3& place) const;
+  /** Returns true if a sphere contains the position, in scene units. */
+  bool Contains(const glm::dvec3& place) const;
   /** The spheres, which are moved out of this object. */
   std::vector<vtkIndirectProxySphere> TakeSpheres() { return std::move(this->Spheres); }
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }

@@ -163,6 +163,7 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   this->Tables.Activate(program);
   vtkIndirectProxyTreeTables::SetTexelSize(program, "vtkiLightScale", this->AllLight);
   program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
+  program->SetUniformi("vtkiEyeIsInside", input.EyeIsInside ? 1 : 0);
   program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
 }
 

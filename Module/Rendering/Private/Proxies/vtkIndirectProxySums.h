@@ -28,12 +28,13 @@ public:
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    int Step = 1;            // pixels from one receiver to the next
-    bool Hides = true;       // false: the sky is unoccluded
-    bool Middle = false;     // radiance of spheres at their middles
-    bool Exact = false;      // radiance of spheres at each of their points
-    bool Shadowed = true;    // spheres occlude each other's light
-    double LightReach = 0.0; // radii within which a sphere sends; 0: everywhere
+    int Step = 1;             // pixels from one receiver to the next
+    bool Hides = true;        // false: the sky is unoccluded
+    bool EyeIsInside = false; // a sphere contains the eye
+    bool Middle = false;      // radiance of spheres at their middles
+    bool Exact = false;       // radiance of spheres at each of their points
+    bool Shadowed = true;     // spheres occlude each other's light
+    double LightReach = 0.0;  // radii within which a sphere sends; 0: everywhere
   };
 
   /** Uploads entries. Returns false, after an error, if OpenGL refuses. */

@@ -21,6 +21,10 @@ void vtkiFetchLight(int light, out vec4 sender, out vec4 senderNormal, out vec3 
   density = texelFetch(vtkiLightDensity, at, 0).rgb;
 }
 
+#ifdef VTKI_DIVIDED
+vtkiSight vtkiReceiverSight; // of the receiver whose light is summed
+#endif
+
 // Adds the light of a cluster as a whole, with this density. Returns true if the receiver is near
 // to the cluster, so that its branches are to be added.
 bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
@@ -38,7 +42,12 @@ bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender
   seen = vtkiIsSenderVisible(light, open, position, normal, sender, senderNormal.xyz, lit);
 #endif
   irradiance += seen ? density * (weight * (1.0f - division)) : vec3(0.0f);
-  return seen && division > 0.0f;
+#ifdef VTKI_DIVIDED
+  vtkiKeepSight(vtkiReceiverSight, open, toSender, senderNormal.xyz, division, seen ? 1.0f : 0.0f);
+  return division * vtkiShareOfBranches(vtkiReceiverSight, open, toSender, seen ? 1.0f : 0.0f) > 0.0f;
+#else
+  return false;
+#endif
 }
 
 bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, inout vec3 irradiance)
@@ -52,14 +61,15 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, inout vec3 i
 
 #ifdef VTKI_DIVIDED
 // Adds the light of the branches of a cluster that the receiver is near to and sees.
-void vtkiAddBelow(vec3 position, vec3 normal, int light, inout vec3 irradiance)
+void vtkiAddBelow(vec3 position, vec3 normal, vec3 open, int light, inout vec3 irradiance)
 {
   vec4 sender;
   vec4 senderNormal;
   vec3 density;
   vtkiFetchLight(light, sender, senderNormal, density);
   vec3 toSender = sender.xyz - position;
-  float share = vtkiDivision(dot(toSender, toSender), senderNormal.w);
+  float share = vtkiShareOfBranches(vtkiReceiverSight, open, toSender, 1.0f) *
+    vtkiDivision(dot(toSender, toSender), senderNormal.w);
   float below = 0.0f;
   int place = 0;
   while (place < VTKI_BRANCHES)
@@ -79,6 +89,9 @@ void vtkiAddBelow(vec3 position, vec3 normal, int light, inout vec3 irradiance)
 vec3 vtkiGather(vec3 position, vec3 normal, vec3 facet)
 {
   vec3 total = vec3(0.0f);
+#ifdef VTKI_DIVIDED
+  vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
+#endif
   vec3 open = position;
 #ifdef VTKI_VISIBILITY
   open = vtkiOpenPlace(position, normal, facet);
@@ -107,7 +120,7 @@ vec3 vtkiGather(vec3 position, vec3 normal, vec3 facet)
 #ifdef VTKI_DIVIDED
       while (vtkiHasNear(near))
       {
-        vtkiAddBelow(position, normal, first + vtkiTakeNear(near), partial);
+        vtkiAddBelow(position, normal, open, first + vtkiTakeNear(near), partial);
       }
 #endif
     }

@@ -89,6 +89,10 @@ void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 *
 #endif
 }
 
+#ifdef VTKI_DIVIDED
+vtkiSight vtkiSights[4 * VTKI_BLOCKS]; // of the receivers
+#endif
+
 // Adds the light of a cluster as a whole to all blocks. Returns true if one of them is near to it.
 bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
   vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
@@ -101,9 +105,10 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
   {
 #ifdef VTKI_DIVIDED
     vec3 toSender = sender.xyz - position[i];
-    float division = share[i] * vtkiDivision(dot(toSender, toSender), senderNormal.w);
-    nearest = max(nearest, division);
-    share[i] -= division;
+    float division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
+    vtkiKeepSight(vtkiSights[i], facet[i], toSender, senderNormal.xyz, division, share[i]);
+    nearest = max(nearest, division * vtkiShareOfBranches(vtkiSights[i], facet[i], toSender, share[i]));
+    share[i] -= share[i] * division;
 #endif
     vtkiAddSeenLight(position[i], normal[i], share[i], vtkiSoftening(senderNormal.w, sender.w), sender, senderNormal,
       density, irradiance[i], vectorIrradiance[i]);
@@ -127,7 +132,8 @@ void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
     vec3 toSender = sender.xyz - position[i];
-    share[i] *= vtkiDivision(dot(toSender, toSender), senderNormal.w);
+    share[i] = vtkiShareOfBranches(vtkiSights[i], facet[i], toSender, share[i]) *
+      vtkiDivision(dot(toSender, toSender), senderNormal.w);
     below[i] = 0.0f;
   }
   int place = 0;
@@ -166,6 +172,9 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     wanted[i] = vtkiFetchLeaf(texel, position[i], normal[i], facet[i]) && exists[i >> 2];
     irradiance[i] = vec3(0.0f);
     vectorIrradiance[i] = vec3(0.0f);
+#ifdef VTKI_DIVIDED
+    vtkiSights[i] = vtkiSight(0.0f, 0.0f);
+#endif
   }
 #ifdef VTKI_SHARES_LOOKS
   vtkiLooks looks[VTKI_BLOCKS];

@@ -58,6 +58,10 @@ bool vtkiSees(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec
 #endif
 }
 
+#ifdef VTKI_DIVIDED
+vtkiSight vtkiReceiverSight; // of the receiver whose light is summed
+#endif
+
 // Adds the light of a cluster as a whole. Returns true if the receiver is near to it, so that its
 // branches are to be added.
 bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
@@ -71,17 +75,23 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
   bool seen = vtkiSees(position, normal, open, light, sender, senderNormal, density, division);
   vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiSoftening(senderNormal.w, sender.w), sender,
     senderNormal, density, irradiance, vectorIrradiance);
-  return seen && division > 0.0f;
+#ifdef VTKI_DIVIDED
+  vtkiKeepSight(vtkiReceiverSight, open, toSender, senderNormal.xyz, division, seen ? 1.0f : 0.0f);
+  return division * vtkiShareOfBranches(vtkiReceiverSight, open, toSender, seen ? 1.0f : 0.0f) > 0.0f;
+#else
+  return false;
+#endif
 }
 
 #ifdef VTKI_DIVIDED
-// Adds the branches of a cluster that the receiver is near to and sees. light: its number in the
-// table.
-void vtkiAddBelow(vec3 position, vec3 normal, int light, vec4 sender, float childDistance, inout vec3 irradiance,
+// Adds the branches of a cluster that the receiver is near to and sees. open: see vtkiOpenPlace;
+// light: its number in the table.
+void vtkiAddBelow(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, float childDistance, inout vec3 irradiance,
   inout vec3 vectorIrradiance)
 {
   vec3 toSender = sender.xyz - position;
-  float share = vtkiDivision(dot(toSender, toSender), childDistance);
+  float share = vtkiShareOfBranches(vtkiReceiverSight, open, toSender, 1.0f) *
+    vtkiDivision(dot(toSender, toSender), childDistance);
   float below = 0.0f;
   int place = share > 0.0f ? 0 : VTKI_BRANCHES;
   while (place < VTKI_BRANCHES)
@@ -104,10 +114,13 @@ void vtkiAddBelow(vec3 position, vec3 normal, int light, vec4 sender, float chil
 void vtkiAddWholeLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
   inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
+#ifdef VTKI_DIVIDED
+  vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
+#endif
   bool isNear =
     vtkiAddLight(position, normal, open, light, sender, senderNormal, density, irradiance, vectorIrradiance);
 #ifdef VTKI_DIVIDED
-  vtkiAddBelow(position, normal, light, sender, isNear ? senderNormal.w : 0.0f, irradiance, vectorIrradiance);
+  vtkiAddBelow(position, normal, open, light, sender, isNear ? senderNormal.w : 0.0f, irradiance, vectorIrradiance);
 #endif
 }
 
@@ -120,6 +133,7 @@ void vtkiEvaluateSubsplat(
   vec3 open = vtkiOpenPlace(position, normal, facet);
   int count = wanted ? vtkiLightCount : 0;
 #ifdef VTKI_DIVIDED
+  vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
   const int atOnce = VTKI_NEAR_LIGHTS;
 #else
   int atOnce = max(count, 1);
@@ -157,7 +171,8 @@ void vtkiEvaluateSubsplat(
       vec4 senderNormal;
       vec3 unused;
       vtkiFetchLight(light, sender, senderNormal, unused);
-      vtkiAddBelow(position, normal, vtkiFirstLight + light, sender, senderNormal.w, irradiance, vectorIrradiance);
+      vtkiAddBelow(
+        position, normal, open, vtkiFirstLight + light, sender, senderNormal.w, irradiance, vectorIrradiance);
     }
 #endif
   }

@@ -8,6 +8,7 @@ uniform sampler2D vtkiProxyAlbedo; // albedo, sender
 uniform sampler2D vtkiProxyTable;  // a row of zonal logarithms over 1 - cos
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
+uniform bool vtkiEyeIsInside; // a sphere contains the eye
 // Light that entries send and, from row vtkiSenderRow on, light that falls on senders, in pairs: a
 // + b n of each colour, a and b.x; red b.y and b.z; green, blue; the open share of the half space
 // around n, the same.
@@ -132,6 +133,7 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
   float weight = vtkiProxyWeight(toOuter, region.Outer, d, region.Inner);
   vec3 direction = toCenter / max(d, 1.0e-30f);
   float sine = 0.0f;
+  float inside = 0.0f;
   if (weight > 0.0f)
   {
 #ifdef VTKI_PROXY_SENDERS
@@ -152,8 +154,13 @@ int vtkiAddProxy(vec3 position, vec3 normal, int number, inout vtkiProxySums sum
     {
       sine = vtkiProxySine(toCenter, sphere.w, normal, region.Inner < 0.0f);
       weight *= vtkiProxyAbove(dot(direction, normal), sine);
+      inside = vtkiEyeIsInside && !(region.Inner > 0.0f) ? vtkiProxyInside(toCenter, sphere.w, normal) : 0.0f;
     }
   }
+  // A receiver inside of a body gets nothing from around the body: this logarithm leaves 2e-9 of
+  // the sky, and beside this weight without light no sender counts in the mean of all senders.
+  sums.hidden.A.x -= (20.0f / VTKI_HARMONICS_Y00) * inside;
+  sums.sent.a += 1.0e3f * inside;
   if (weight > 0.0f && sine > 0.0f)
   {
     vec4 zonal = weight * vtkiZonalShare(vtkiZonalLog(sine), sine, region.Share) *

@@ -68,11 +68,14 @@ float vtkiShareOfSplat(vec3 toSender, vec4 sender, vec4 senderNormal, vec3 densi
 vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density)
 {
   vec3 irradiance = vec3(0.0f);
+#ifdef VTKI_DIVIDED
+  vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
+#endif
   bool below = vtkiAddSender(position, normal, open, light, sender, senderNormal, density, irradiance);
 #ifdef VTKI_DIVIDED
   if (below)
   {
-    vtkiAddBelow(position, normal, light, irradiance);
+    vtkiAddBelow(position, normal, open, light, irradiance);
   }
 #endif
   return irradiance;

@@ -20,6 +20,42 @@ float vtkiDivision(float distance2, float childDistance)
   return clamp((childDistance2 - distance2) / (0.36f * childDistance2), 0.0f, 1.0f);
 }
 
+// A cluster that reaches through a receiver's plane may have its place behind the plane. Its depth
+// map does not show what is before the plane, such as the edge of a ceiling before a hanging sheet.
+// The other near clusters before the plane decide how much of the branches there the receiver sees:
+// all if it sees a quarter of these clusters or if there are none, and nothing in a closed body.
+struct vtkiSight
+{
+  float seen; // part of `all` that the receiver sees
+  float all;  // near clusters before the plane, each with both cosines and its division
+};
+
+const float VTKI_ENOUGH_SIGHT = 0.25f;
+// Weight of a guess that nothing is hidden, beside up to 1 for a cluster. With 0.01 a closed ball has
+// a third less light inside, and errors in rooms and folds are 3 % larger.
+const float VTKI_UNHIDDEN = 0.06f;
+
+void vtkiKeepSight(
+  inout vtkiSight sight, vec3 facet, vec3 toSender, vec3 senderNormal, float division, float seen)
+{
+  float height = max(dot(facet, toSender), 0.0f);
+  float cosines = height * max(-dot(senderNormal, toSender), 0.0f) / max(dot(toSender, toSender), 1.0e-30f);
+  sight.seen += seen * division * cosines;
+  sight.all += division * cosines;
+}
+
+// Share of a cluster's branches that a receiver sees. seen: share by the cluster's depth map.
+float vtkiShareOfBranches(vtkiSight sight, vec3 facet, vec3 toSender, float seen)
+{
+#ifdef VTKI_DEPTH_TILES
+  float before =
+    min((sight.seen / VTKI_ENOUGH_SIGHT + VTKI_UNHIDDEN) / (sight.all + VTKI_UNHIDDEN), 1.0f);
+  return dot(facet, toSender) < 0.0f ? before : seen;
+#else
+  return seen;
+#endif
+}
+
 void vtkiKeepNear(inout uvec4 near, int light, bool isNear)
 {
   uint bit = isNear ? 1u << uint(light & 31) : 0u;

@@ -73,10 +73,9 @@ bool vtkiIsSeenAlongTile(vec2 middle, vec3 away, vec3 normal)
   return vtkiIsSeenInView(middle, view, window, tangents, range, VTKI_TILE_NEAR);
 }
 
-// normal: of the receiver's facet. A light behind the facet's plane gives the receiver nothing as a
-// whole, and its map does not show what is before that plane. So the map hides no branch of the
-// cluster that lies before the plane, such as the edge of a ceiling before a hanging sheet; a branch
-// that something else hides makes the receiver too bright.
+// normal: of the receiver's facet. A light behind the facet's plane is not hidden: its map does not
+// show what is before the plane. Its branches there count by vtkiShareOfBranches, and the light as a
+// whole counts only where a shading normal leans towards the light.
 bool vtkiIsSeenInTile(vtkiTile tile, vec3 position, vec3 normal)
 {
   vec3 away = position - tile.place;

@@ -207,6 +207,17 @@ float vtkiProxySine(vec3 toCenter, float radius, vec3 n, bool drawn)
   return own + (seen - own) * outside;
 }
 
+/* 1 for a receiver inside of a sphere, or on its surface with its normal n, unit, towards the
+ * sphere's centre; 0 for one that faces out of the sphere, and from half of the radius outside on:
+ * a body's corners stand out of its spheres. Only an eye inside of a body sees such receivers: those
+ * that an eye outside sees there face a body that stands beside them. */
+float vtkiProxyInside(vec3 toCenter, float radius, vec3 n)
+{
+  float outside = length(toCenter) - radius;
+  float into = min(max((dot(toCenter, n) - min(outside, 0.0f)) / (0.3f * radius) - 0.7f, 0.0f), 1.0f);
+  return into * min(max(1.0f - outside / (0.5f * radius), 0.0f), 1.0f);
+}
+
 /* Weight of a sphere by its height over the receiver's plane, from the cosine of its middle and its
  * own sine: zero for one wholly below, such as the receiver's own sphere, which touches the plane.
  * In order 4 such a sphere would ring into the upper half, as dark as 0.05 of the sky, most of all
