@@ -71,7 +71,6 @@ public:
   {
     return nullptr;
   }
-  size_t GetBytes() const override;
   size_t GetMainMemoryBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
@@ -84,7 +83,11 @@ public:
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
-  void ReleaseOwn(vtkWindow* window) override;
+  void ReleaseOwn(vtkWindow*) override
+  {
+    this->TreeIsThere = false;
+    this->Environment = nullptr;
+  }
 
 private:
   bool Sum(const Input& input);
@@ -93,8 +96,8 @@ private:
 
   vtkProxyAccumulationPass& Set;
   vtkIndirectProxyTree Tree;
-  vtkIndirectProxySums Sums;
-  vtkIndirectTarget Sky{ SkyChannels, false };
+  vtkIndirectProxySums Sums{ this };
+  vtkIndirectTarget Sky{ this, SkyChannels, false };
   vtkMTimeType TreeTime = 0; // time of this pass when the tree was built
   bool TreeIsThere = false;
   vtkIndirectProxyStep StepBySpheres;
@@ -350,12 +353,6 @@ bool ProxySum::Sum(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-size_t ProxySum::GetBytes() const
-{
-  return this->vtkIndirectSum::GetBytes() + this->Sky.GetBytes() + this->Sums.GetBytes();
-}
-
-//------------------------------------------------------------------------------
 size_t ProxySum::GetMainMemoryBytes() const
 {
   return this->Scene.GetSpheres().size() * sizeof(vtkIndirectProxySphere) +
@@ -426,13 +423,4 @@ void ProxySum::AddToReport(vtkIndirectReport& report) const
         : "spheres send it as if nothing hid it from them; the result is too bright where they are "
           "close to each other");
   }
-}
-
-//------------------------------------------------------------------------------
-void ProxySum::ReleaseOwn(vtkWindow* window)
-{
-  this->Sky.Release(window);
-  this->Sums.Release(window);
-  this->TreeIsThere = false;
-  this->Environment = nullptr;
 }

@@ -56,25 +56,24 @@ public:
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
     const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
-  size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
-  void ReleaseOwn(vtkWindow* window) override;
+  void ReleaseOwn(vtkWindow* window) override { this->AllTexels->Release(window); }
 
 private:
   void SetUniforms(vtkShaderProgram* program, const Input& input, bool neighborhood);
   bool Sum(const Input& input);
 
   const vtkRSMGatherPass& Set;
-  vtkIndirectReceiverGrid Coarse{ CoarseChannels };
-  vtkIndirectFullScreenProgram Gather[2] = { { "vtkIndirectGatherFS.glsl", LightsFile },
-    { "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
-  vtkIndirectFullScreenProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
-    { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
-  vtkIndirectGlossyGather GlossyGather;
-  vtkIndirectLobeGather Lobes;
+  vtkIndirectReceiverGrid Coarse{ this, CoarseChannels };
+  vtkIndirectFullScreenProgram Gather[2] = { { this, "vtkIndirectGatherFS.glsl", LightsFile },
+    { this, "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
+  vtkIndirectFullScreenProgram Upsample[2] = { { this, "vtkIndirectUpsampleFS.glsl", LightsFile },
+    { this, "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
+  vtkIndirectGlossyGather GlossyGather{ this };
+  vtkIndirectLobeGather Lobes{ this };
   const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
     std::make_shared<vtkIndirectAllTexelsSampler>();
   bool Interpolates = false; // in the last frame
@@ -132,12 +131,6 @@ vtkIndirectAbilities GatherSum::GetAbilities(double tolerance) const
     abilities.TakesLightMaps ? vtkIndirectVisibilityMaps : vtkIndirectVisibilityNone;
   abilities.ReadsMaps = mode == vtkRSMGatherPass::NEIGHBORHOOD;
   return abilities;
-}
-
-//------------------------------------------------------------------------------
-size_t GatherSum::GetBytes() const
-{
-  return this->vtkIndirectSum::GetBytes() + this->Coarse.GetBytes() + this->Lobes.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -328,18 +321,4 @@ bool GatherSum::Sum(const Input& input)
   releaseTextures();
   timer.End(vtkIndirectStageTimer::Upsample);
   return addLobes();
-}
-
-//------------------------------------------------------------------------------
-void GatherSum::ReleaseOwn(vtkWindow* window)
-{
-  this->Coarse.Release(window);
-  this->GlossyGather.Release();
-  this->Lobes.Release(window);
-  this->AllTexels->Release(window);
-  for (int i = 0; i < 2; ++i)
-  {
-    this->Gather[i].Release();
-    this->Upsample[i].Release();
-  }
 }

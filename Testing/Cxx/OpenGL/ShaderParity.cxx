@@ -143,8 +143,8 @@ VTK_INDIRECT_TEST(KernelParity)
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   std::vector<float> copy = input;
   texture->Create2DFromRaw(3 * Width, Height, 4, VTK_FLOAT, copy.data());
-  vtkIndirectTarget target(Channels, false);
-  vtkIndirectFullScreenProgram kernel("ShaderKernelsFS.glsl");
+  vtkIndirectTarget target(nullptr, Channels, false);
+  vtkIndirectFullScreenProgram kernel(nullptr, "ShaderKernelsFS.glsl");
   target.Resize(window, Width, Height);
 
   const int count = static_cast<int>(std::size(Kernels));
@@ -181,7 +181,7 @@ VTK_INDIRECT_TEST(KernelParity)
       std::string(k.Name) + ": distinct values", distinct.size(), 2, "the test's own power");
   }
   target.Release(window);
-  kernel.Release();
+  kernel.Release(window);
   texture->ReleaseGraphicsResources(window);
 }
 
@@ -220,11 +220,11 @@ VTK_INDIRECT_TEST(StagesLink)
       text.find("vtkiFetchIrradiance") != std::string::npos ? irradiances : gathers;
     for (int i = 0; i < (open ? 2 : 1); ++i)
     {
-      vtkIndirectFullScreenProgram kernel(entry->Name, files[i]);
+      vtkIndirectFullScreenProgram kernel(nullptr, entry->Name, files[i]);
       Check(name + (open ? std::string(" with ") + files[i] : "") + " links",
         kernel.Use(window) != nullptr);
       ++linked;
-      kernel.Release();
+      kernel.Release(window);
     }
   }
   CheckAtLeast("programs", linked, 9, "glsl/stage");

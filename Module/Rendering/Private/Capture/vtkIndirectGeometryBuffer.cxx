@@ -61,9 +61,10 @@ StandIns ReplaceColorOnly(
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectGeometryBuffer::vtkIndirectGeometryBuffer()
-  : Target(new vtkIndirectTarget(Channels, true))
-  , ClearKernel(new vtkIndirectFullScreenProgram("vtkIndirectClearFS.glsl"))
+vtkIndirectGeometryBuffer::vtkIndirectGeometryBuffer(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Target(new vtkIndirectTarget(this, Channels, true))
+  , ClearKernel(new vtkIndirectFullScreenProgram(this, "vtkIndirectClearFS.glsl"))
 {
   this->Target->SetNumberOfChannels(this->NumberOfChannels);
 }
@@ -232,11 +233,4 @@ void vtkIndirectGeometryBuffer::ActivateAlbedo(vtkShaderProgram* program) const
   {
     this->Target->Activate(Albedo, program);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectGeometryBuffer::Release(vtkWindow* window)
-{
-  this->Target->Release(window);
-  this->ClearKernel->Release();
 }

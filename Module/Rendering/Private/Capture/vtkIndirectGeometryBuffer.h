@@ -16,6 +16,7 @@
 #define vtkIndirectGeometryBuffer_h
 
 #include "Capture/vtkIndirectGeometryChannels.h" // for its channels
+#include "OpenGL/vtkIndirectResource.h"          // for a base class
 
 #include <functional> // for additional draws
 #include <memory>     // for the target
@@ -29,13 +30,14 @@ class vtkOpenGLRenderWindow;
 class vtkRenderState;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
-class vtkWindow;
 
-class vtkIndirectGeometryBuffer : public vtkIndirectGeometryChannels
+class vtkIndirectGeometryBuffer
+  : public vtkIndirectGeometryChannels
+  , public vtkIndirectResource
 {
 public:
-  vtkIndirectGeometryBuffer();
-  ~vtkIndirectGeometryBuffer();
+  explicit vtkIndirectGeometryBuffer(vtkIndirectResource* owner = nullptr);
+  ~vtkIndirectGeometryBuffer() override;
 
   /**
    * Draws the opaque props, attached to `capture`, into the buffer. shadows: maps for shadow
@@ -74,7 +76,6 @@ public:
   bool HasSpecular() const { return this->NumberOfChannels > Specular; }
 
   int GetNumberOfRenderedProps() const { return this->NumberOfRenderedProps; }
-  void Release(vtkWindow* window);
 
 private:
   // True if a depth of one can only be the cleared value, but for a sliver in front of the far

@@ -14,8 +14,8 @@ struct vtkIndirectFrame;
 class vtkIndirectReceiverGrid : public vtkIndirectTarget
 {
 public:
-  explicit vtkIndirectReceiverGrid(const vtkIndirectChannel* channels)
-    : vtkIndirectTarget(channels, false)
+  vtkIndirectReceiverGrid(vtkIndirectResource* owner, const vtkIndirectChannel* channels)
+    : vtkIndirectTarget(owner, channels, false)
   {
   }
 

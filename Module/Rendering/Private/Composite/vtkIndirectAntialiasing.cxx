@@ -54,20 +54,28 @@ constexpr int Tile = 8;
 }
 
 //------------------------------------------------------------------------------
-struct vtkIndirectAntialiasing::Internals
+struct vtkIndirectAntialiasing::Internals : vtkIndirectResource
 {
+  using vtkIndirectResource::vtkIndirectResource;
+  void ReleaseOwn(vtkWindow*) override
+  {
+    this->Refused = false;
+    this->Picture.reset();
+  }
+
   std::unique_ptr<vtkIndirectTarget> Picture;
   unsigned int Format = 0; // OpenGL format of the picture
-  vtkIndirectTarget Contrasts{ ContrastChannels, false };
-  vtkIndirectFullScreenProgram FindContrasts{ "vtkIndirectContrastFS.glsl" };
-  vtkIndirectFullScreenProgram FindContrastTiles{ "vtkIndirectContrastTilesFS.glsl" };
-  vtkIndirectPointProgram KeepOutlines{ "vtkIndirectEdgePointVS.glsl",
+  vtkIndirectTarget Contrasts{ this, ContrastChannels, false };
+  vtkIndirectFullScreenProgram FindContrasts{ this, "vtkIndirectContrastFS.glsl" };
+  vtkIndirectFullScreenProgram FindContrastTiles{ this, "vtkIndirectContrastTilesFS.glsl" };
+  vtkIndirectPointProgram KeepOutlines{ this, "vtkIndirectEdgePointVS.glsl",
     "vtkIndirectOutlinePointFS.glsl" };
-  vtkIndirectTarget Edges{ EdgeChannels, false };
-  vtkIndirectFullScreenProgram FindEdges{ "vtkIndirectEdgesFS.glsl" };
-  vtkIndirectTarget Tiles{ TileChannels, false };
-  vtkIndirectFullScreenProgram FindTiles{ "vtkIndirectEdgeTilesFS.glsl" };
-  vtkIndirectPointProgram Blend{ "vtkIndirectEdgePointVS.glsl", "vtkIndirectEdgePointFS.glsl" };
+  vtkIndirectTarget Edges{ this, EdgeChannels, false };
+  vtkIndirectFullScreenProgram FindEdges{ this, "vtkIndirectEdgesFS.glsl" };
+  vtkIndirectTarget Tiles{ this, TileChannels, false };
+  vtkIndirectFullScreenProgram FindTiles{ this, "vtkIndirectEdgeTilesFS.glsl" };
+  vtkIndirectPointProgram Blend{ this, "vtkIndirectEdgePointVS.glsl",
+    "vtkIndirectEdgePointFS.glsl" };
 
   bool Refused = false; // OpenGL has refused, and an error was reported
   std::string WhyNot;   // reason of the last frame
@@ -99,17 +107,13 @@ struct vtkIndirectAntialiasing::Internals
   bool Copy(const vtkIndirectFrame& frame)
   {
     const unsigned int format = vtkIndirectTarget::FindBoundColorFormat();
-    if (this->Picture && format != this->Format)
-    {
-      this->Picture->Release(frame.Window);
-      this->Picture = nullptr;
-    }
-    if (!this->Picture)
+    if (!this->Picture || format != this->Format)
     {
       this->Format = format;
-      this->Picture = std::make_unique<vtkIndirectTarget>(Pictures[format == GL_RGBA8 ? 0
-                                                              : format == GL_RGBA16F  ? 1
-                                                                                      : 2],
+      this->Picture = std::make_unique<vtkIndirectTarget>(this,
+        Pictures[format == GL_RGBA8 ? 0
+            : format == GL_RGBA16F  ? 1
+                                    : 2],
         false);
     }
     return this->Picture->Resize(frame.Window, frame.Size[0], frame.Size[1]) &&
@@ -117,8 +121,9 @@ struct vtkIndirectAntialiasing::Internals
   }
 };
 
-vtkIndirectAntialiasing::vtkIndirectAntialiasing()
-  : Internal(new Internals)
+vtkIndirectAntialiasing::vtkIndirectAntialiasing(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Internal(new Internals(this))
 {
 }
 
@@ -290,33 +295,4 @@ bool vtkIndirectAntialiasing::Internals::BlendEdges(
   this->Edges.Deactivate();
   this->Picture->Deactivate();
   return true;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectAntialiasing::GetBytes() const
-{
-  const Internals& in = *this->Internal;
-  return in.Contrasts.GetBytes() + in.Edges.GetBytes() + in.Tiles.GetBytes() +
-    (in.Picture ? in.Picture->GetBytes() : 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAntialiasing::Release(vtkWindow* window)
-{
-  Internals& in = *this->Internal;
-  in.Refused = false;
-  if (in.Picture)
-  {
-    in.Picture->Release(window);
-    in.Picture = nullptr;
-  }
-  in.Contrasts.Release(window);
-  in.FindContrasts.Release();
-  in.FindContrastTiles.Release();
-  in.KeepOutlines.Release();
-  in.Edges.Release(window);
-  in.FindEdges.Release();
-  in.Tiles.Release(window);
-  in.FindTiles.Release();
-  in.Blend.Release();
 }

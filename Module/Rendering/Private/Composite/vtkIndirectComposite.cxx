@@ -71,15 +71,17 @@ const Shown MapChannels[] = {
 }
 
 //------------------------------------------------------------------------------
-struct vtkIndirectComposite::Internals
+struct vtkIndirectComposite::Internals : vtkIndirectResource
 {
-  vtkIndirectTarget Image{ ImageChannels, false };
+  using vtkIndirectResource::vtkIndirectResource;
+
+  vtkIndirectTarget Image{ this, ImageChannels, false };
   // One program for linear colours only, one for encoded colours too.
-  vtkIndirectFullScreenProgram Composite[2] = { { "vtkIndirectCompositeFS.glsl" },
-    { "vtkIndirectCompositeFS.glsl" } };
-  vtkIndirectFullScreenProgram DrawChannel{ "vtkIndirectChannelFS.glsl" };
-  vtkIndirectFullScreenProgram DrawMapChannel{ "vtkIndirectMapChannelFS.glsl" };
-  vtkIndirectFullScreenProgram Display{ "vtkIndirectDisplayFS.glsl" };
+  vtkIndirectFullScreenProgram Composite[2] = { { this, "vtkIndirectCompositeFS.glsl" },
+    { this, "vtkIndirectCompositeFS.glsl" } };
+  vtkIndirectFullScreenProgram DrawChannel{ this, "vtkIndirectChannelFS.glsl" };
+  vtkIndirectFullScreenProgram DrawMapChannel{ this, "vtkIndirectMapChannelFS.glsl" };
+  vtkIndirectFullScreenProgram Display{ this, "vtkIndirectDisplayFS.glsl" };
   const Shown* Channel = nullptr;
   double Farthest = 1.0; // world units
 
@@ -173,8 +175,9 @@ struct vtkIndirectComposite::Internals
   }
 };
 
-vtkIndirectComposite::vtkIndirectComposite()
-  : Internal(new Internals)
+vtkIndirectComposite::vtkIndirectComposite(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Internal(new Internals(this))
 {
 }
 
@@ -435,18 +438,4 @@ bool vtkIndirectComposite::ShowImage(const Input& input)
   in.Display.Draw();
   in.Image.Deactivate();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectComposite::Release(vtkWindow* window)
-{
-  Internals& in = *this->Internal;
-  in.Image.Release(window);
-  for (vtkIndirectFullScreenProgram& composite : in.Composite)
-  {
-    composite.Release();
-  }
-  in.DrawChannel.Release();
-  in.DrawMapChannel.Release();
-  in.Display.Release();
 }

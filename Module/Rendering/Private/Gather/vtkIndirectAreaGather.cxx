@@ -24,10 +24,11 @@ const vtkIndirectChannel Channels[] = {
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaGather::vtkIndirectAreaGather(vtkIndirectDepthMaps& maps)
-  : Maps(maps, vtkIndirectDepthMaps::AREA_LIGHTS)
-  , Rounds(maps)
-  , Irradiance(Channels, false)
+vtkIndirectAreaGather::vtkIndirectAreaGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectFrameLight(owner)
+  , Maps(this, maps, vtkIndirectDepthMaps::AREA_LIGHTS)
+  , Rounds(this, maps)
+  , Irradiance(this, Channels, false)
 {
 }
 
@@ -235,13 +236,6 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectAreaGather::GetBytes() const
-{
-  return this->Irradiance.GetBytes() + this->Lamps.GetBytes() + this->Samples.GetBytes() +
-    this->StillSamples.GetBytes() + this->Rounds.GetBytes() + this->Lobes.GetBytes();
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan&) const
 {
   const vtkIndirectAreaLamps::List& lamps = this->Lamps.Get();
@@ -267,17 +261,4 @@ void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report, const vtkIndi
       std::to_string(left * this->Lamps.GetNumberOfPoints()) + " points of each area light",
       "further frames of a view that stands still ask them what hides the light");
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaGather::Release(vtkWindow* window)
-{
-  this->Irradiance.Release(window);
-  this->Maps.Release(window);
-  this->Rounds.Release(window);
-  this->Lamps.Release(window);
-  this->Samples.Release(window);
-  this->Lobes.Release(window);
-  this->StillSamples.Release(window);
-  this->Kernel.Release();
 }

@@ -45,8 +45,9 @@ glm::dvec2 PlaceOf(unsigned int number)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaLamps::vtkIndirectAreaLamps()
-  : Texture(PyramidChannels, false)
+vtkIndirectAreaLamps::vtkIndirectAreaLamps(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Texture(this, PyramidChannels, false)
 {
 }
 
@@ -236,9 +237,8 @@ bool vtkIndirectAreaLamps::UpdateTexture(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaLamps::Release(vtkWindow* window)
+void vtkIndirectAreaLamps::ReleaseOwn(vtkWindow*)
 {
-  this->Texture.Release(window);
   this->Lamps.clear();
   this->Width = this->Height = 0;
 }

@@ -7,6 +7,7 @@
 #define vtkIndirectAreaLamps_h
 
 #include "Gather/vtkIndirectAreaPyramid.h"      // for members
+#include "OpenGL/vtkIndirectResource.h"         // for the base class
 #include "OpenGL/vtkIndirectTarget.h"           // for a member
 #include "VirtualLights/vtkIndirectRectangle.h" // for places
 #include "vtkSmartPointer.h"                    // for lights
@@ -17,13 +18,12 @@
 #include <vector>      // for lists
 
 class vtkShaderProgram;
-class vtkWindow;
 struct vtkIndirectFrame;
 
-class vtkIndirectAreaLamps
+class vtkIndirectAreaLamps : public vtkIndirectResource
 {
 public:
-  vtkIndirectAreaLamps();
+  explicit vtkIndirectAreaLamps(vtkIndirectResource* owner);
 
   /** Points of a lamp in a round. With many lamps each has fewer points, but at least LeastPoints.
    */
@@ -72,8 +72,8 @@ public:
   /** Returns that texture, vtkiAreaPyramid. Valid only if some lamp has an image. */
   const vtkIndirectTarget& GetTexture() const { return this->Texture; }
 
-  size_t GetBytes() const { return this->Texture.GetBytes(); }
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   void UpdateLamp(Lamp& lamp, vtkAreaLight* light, int texels);

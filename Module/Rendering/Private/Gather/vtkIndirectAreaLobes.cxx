@@ -33,10 +33,11 @@ constexpr size_t RowsOfSides = 10;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaLobes::vtkIndirectAreaLobes()
-  : Kernels{ { "vtkIndirectAreaLobeFS.glsl" }, { "vtkIndirectAreaLobeFS.glsl" } }
-  , Tables(TableChannels, false)
-  , Reflected(Channels, false)
+vtkIndirectAreaLobes::vtkIndirectAreaLobes(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Kernels{ { this, "vtkIndirectAreaLobeFS.glsl" }, { this, "vtkIndirectAreaLobeFS.glsl" } }
+  , Tables(this, TableChannels, false)
+  , Reflected(this, Channels, false)
 {
 }
 
@@ -183,22 +184,4 @@ bool vtkIndirectAreaLobes::Sum(const Input& input)
   state->vtkglDisable(GL_BLEND);
   this->Reflected.End();
   return done;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectAreaLobes::GetBytes() const
-{
-  return this->Reflected.GetBytes() + this->Tables.GetBytes() + this->Block.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaLobes::Release(vtkWindow* window)
-{
-  this->Reflected.Release(window);
-  this->Tables.Release(window);
-  this->Block.Release();
-  for (vtkIndirectFullScreenProgram& kernel : this->Kernels)
-  {
-    kernel.Release();
-  }
 }

@@ -124,7 +124,7 @@ glm::dvec4 vtkIndirectAreaMaps::GetRange(size_t lamp, size_t side) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaMaps::Release(vtkWindow* window)
+void vtkIndirectAreaMaps::ReleaseOwn(vtkWindow* window)
 {
   this->DepthMaps.Release(this->Client, window);
   this->Lamps.clear();

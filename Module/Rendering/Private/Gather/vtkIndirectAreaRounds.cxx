@@ -24,11 +24,12 @@ const vtkIndirectChannel SumChannels[] = {
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaRounds::vtkIndirectAreaRounds(vtkIndirectDepthMaps& maps)
-  : Maps(maps, vtkIndirectDepthMaps::AREA_ROUNDS)
-  , Block(1, vtkIndirectAreaLamps::MostPoints)
-  , Open(OpenChannels, false)
-  , Sums(SumChannels, false)
+vtkIndirectAreaRounds::vtkIndirectAreaRounds(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectResource(owner)
+  , Maps(this, maps, vtkIndirectDepthMaps::AREA_ROUNDS)
+  , Block(this, 1, vtkIndirectAreaLamps::MostPoints)
+  , Open(this, OpenChannels, false)
+  , Sums(this, SumChannels, false)
 {
 }
 
@@ -115,22 +116,4 @@ bool vtkIndirectAreaRounds::Multiply(const vtkIndirectFrame& frame, vtkIndirectT
   }
   irradiance.End();
   return program != nullptr;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectAreaRounds::GetBytes() const
-{
-  return this->Open.GetBytes() + this->Sums.GetBytes() + this->Block.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaRounds::Release(vtkWindow* window)
-{
-  this->Open.Release(window);
-  this->Sums.Release(window);
-  this->Maps.Release(window);
-  this->Block.Release();
-  this->ShareKernel.Release();
-  this->ProductKernel.Release();
-  this->Rounds = 0;
 }

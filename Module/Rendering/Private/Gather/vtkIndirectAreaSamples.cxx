@@ -36,10 +36,11 @@ constexpr size_t LampsOfBatch = 8;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaSamples::vtkIndirectAreaSamples()
-  : Block(LampsOfBatch, NumberOfPoints)
-  , Open(OpenChannels)
-  , Samples(SampleChannels)
+vtkIndirectAreaSamples::vtkIndirectAreaSamples(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Block(this, LampsOfBatch, NumberOfPoints)
+  , Open(this, OpenChannels)
+  , Samples(this, SampleChannels)
 {
 }
 
@@ -164,23 +165,4 @@ bool vtkIndirectAreaSamples::Sum(const Input& input, vtkIndirectTarget& irradian
       this->Interpolate(input, batch, irradiance);
   }
   return done;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectAreaSamples::GetBytes() const
-{
-  return this->Open.GetBytes() + this->Samples.GetBytes() + this->Block.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaSamples::Release(vtkWindow* window)
-{
-  this->Open.Release(window);
-  this->Samples.Release(window);
-  this->Block.Release();
-  for (vtkIndirectFullScreenProgram* kernel :
-    { &this->OpenKernel, &this->SampleKernel, &this->SumKernel })
-  {
-    kernel->Release();
-  }
 }

@@ -92,10 +92,3 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimateInput& input, vtkIndi
   }
   return true;
 }
-
-//------------------------------------------------------------------------------
-void vtkIndirectGlossyGather::Release()
-{
-  this->Lights.Release();
-  this->Neighbors.Release();
-}

@@ -28,8 +28,9 @@ constexpr double Least = 1e-3;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectLobeGather::vtkIndirectLobeGather()
-  : Coarse(CoarseChannels)
+vtkIndirectLobeGather::vtkIndirectLobeGather(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Coarse(this, CoarseChannels)
 {
 }
 
@@ -159,13 +160,4 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
   lights.DeactivateLobes();
   lights.Deactivate();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectLobeGather::Release(vtkWindow* window)
-{
-  this->Coarse.Release(window);
-  this->AtSamples.Release();
-  this->AtPixels.Release();
-  this->InGlossy.Release();
 }

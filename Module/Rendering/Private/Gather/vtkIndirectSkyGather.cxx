@@ -55,12 +55,13 @@ constexpr int StrongTexels = 1024;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectDepthMaps& maps)
-  : DepthMaps(maps)
-  , Irradiance(Channels, false)
-  , Sums{ { StillChannels, false }, { SumChannels, false } }
-  , Rows(SumChannels, false)
-  , OpenSky(OpenChannels, false)
+vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectFrameLight(owner)
+  , DepthMaps(maps)
+  , Irradiance(this, Channels, false)
+  , Sums{ { this, StillChannels, false }, { this, SumChannels, false } }
+  , Rows(this, SumChannels, false)
+  , OpenSky(this, OpenChannels, false)
   , Groups{ { {}, {}, StrongTexels, vtkIndirectDepthMaps::STRONG_SKY,
               maps.Get(vtkIndirectDepthMaps::STRONG_SKY) },
     { {}, {}, 0, vtkIndirectDepthMaps::SKY, maps.Get(vtkIndirectDepthMaps::SKY) } }
@@ -498,18 +499,6 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSkyGather::GetBytes() const
-{
-  size_t bytes = this->Block.GetBytes();
-  for (const vtkIndirectTarget* target :
-    { &this->Irradiance, &this->Sums[0], &this->Sums[1], &this->Rows, &this->OpenSky })
-  {
-    bytes += target->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan&) const
 {
   const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
@@ -532,25 +521,12 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report, const vtkIndir
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkyGather::Release(vtkWindow* window)
+void vtkIndirectSkyGather::ReleaseOwn(vtkWindow* window)
 {
-  for (vtkIndirectTarget* target :
-    { &this->Irradiance, &this->Sums[0], &this->Sums[1], &this->Rows, &this->OpenSky })
-  {
-    target->Release(window);
-  }
   this->OpenSkyIsThere = false;
-  this->Block.Release();
   for (const Group& group : this->Groups)
   {
     this->DepthMaps.Release(group.Client, window);
   }
-  for (int i = 0; i < 2; ++i)
-  {
-    this->SumKernels[i].Release();
-    this->ColumnKernels[i].Release();
-  }
-  this->RowKernel.Release();
-  this->StrongKernel.Release();
   this->Directions.Forget();
 }

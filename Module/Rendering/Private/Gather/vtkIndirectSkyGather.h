@@ -39,7 +39,7 @@ struct vtkIndirectFrame;
 class vtkIndirectSkyGather : public vtkIndirectFrameLight
 {
 public:
-  explicit vtkIndirectSkyGather(vtkIndirectDepthMaps& maps);
+  vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
 
   const char* GetName() const override { return "light from the sky"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
@@ -55,9 +55,9 @@ public:
   }
   vtkIndirectEstimate Sum(const Input& input) override;
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
-  void Release(vtkWindow* window) override;
 
-  size_t GetBytes() const;
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   using Summand = vtkIndirectSkyDirections::Summand;
@@ -111,15 +111,15 @@ private:
   Group Groups[NumberOfGroups];
   vtkIndirectSkyDirections Directions;
   std::vector<Summand> Summed; // summed directions of the others: those with maps represent all
-  vtkIndirectUniformBlock Block{ "vtkiSkyBlock" };
+  vtkIndirectUniformBlock Block{ this, "vtkiSkyBlock" };
 
   // Programs for still and moving frames, which alternate too often to be built again each time.
-  vtkIndirectFullScreenProgram SumKernels[2]{ { "vtkIndirectSkyFS.glsl" },
-    { "vtkIndirectSkyFS.glsl" } };
-  vtkIndirectFullScreenProgram ColumnKernels[2]{ { "vtkIndirectSkyFilterFS.glsl" },
-    { "vtkIndirectSkyFilterFS.glsl" } };
-  vtkIndirectFullScreenProgram RowKernel{ "vtkIndirectSkyFilterFS.glsl" };
-  vtkIndirectFullScreenProgram StrongKernel{ "vtkIndirectSkyFS.glsl" };
+  vtkIndirectFullScreenProgram SumKernels[2]{ { this, "vtkIndirectSkyFS.glsl" },
+    { this, "vtkIndirectSkyFS.glsl" } };
+  vtkIndirectFullScreenProgram ColumnKernels[2]{ { this, "vtkIndirectSkyFilterFS.glsl" },
+    { this, "vtkIndirectSkyFilterFS.glsl" } };
+  vtkIndirectFullScreenProgram RowKernel{ this, "vtkIndirectSkyFilterFS.glsl" };
+  vtkIndirectFullScreenProgram StrongKernel{ this, "vtkIndirectSkyFS.glsl" };
 
   vtkIndirectKey FitKey; // the inputs of the tiles' fit
   bool OpenSkyIsThere = false;

@@ -182,7 +182,7 @@ bool vtkIndirectVisibleLamps::Draw(
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectVisibleLamps::GetBytes() const
+size_t vtkIndirectVisibleLamps::GetOwnBytes() const
 {
   size_t bytes = 0;
   for (const auto& picture : this->Pictures)
@@ -195,15 +195,11 @@ size_t vtkIndirectVisibleLamps::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVisibleLamps::Release(vtkWindow* window)
+void vtkIndirectVisibleLamps::ReleaseOwn(vtkWindow* window)
 {
   for (const auto& picture : this->Pictures)
   {
     picture.second.Texture->ReleaseGraphicsResources(window);
   }
   this->Pictures.clear();
-  for (vtkIndirectPointProgram& kernel : this->Kernels)
-  {
-    kernel.Release();
-  }
 }

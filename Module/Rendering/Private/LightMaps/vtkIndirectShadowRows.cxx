@@ -9,8 +9,9 @@
 
 #include <algorithm>
 
-vtkIndirectShadowRows::vtkIndirectShadowRows()
-  : Kernel("vtkIndirectShadowRowsFS.glsl")
+vtkIndirectShadowRows::vtkIndirectShadowRows(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Kernel(this, "vtkIndirectShadowRowsFS.glsl")
 {
 }
 
@@ -103,13 +104,13 @@ void vtkIndirectShadowRows::Deactivate()
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectShadowRows::GetBytes() const
+size_t vtkIndirectShadowRows::GetOwnBytes() const
 {
   return 16 * this->Valid.size() * this->Texels * this->Texels;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectShadowRows::Release(vtkWindow* window)
+void vtkIndirectShadowRows::ReleaseOwn(vtkWindow* window)
 {
   if (this->Texture)
   {
@@ -118,7 +119,6 @@ void vtkIndirectShadowRows::Release(vtkWindow* window)
     this->Framebuffer = nullptr;
     this->Texture = nullptr;
   }
-  this->Kernel.Release();
   this->Valid.clear();
   this->Texels = 0;
   this->Window = nullptr;

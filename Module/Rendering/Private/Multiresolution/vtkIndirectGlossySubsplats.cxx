@@ -83,7 +83,7 @@ bool vtkIndirectGlossySubsplats::Fits(const vtkIndirectSubsplatPyramid& pyramid,
   {
     entries += capacity;
   }
-  return vtkIndirectGlossyLists::GetBytes(entries, numberOfLights) <= GetMaximumBytes();
+  return vtkIndirectGlossyLists::CountBytes(entries, numberOfLights) <= GetMaximumBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -91,17 +91,14 @@ bool vtkIndirectGlossySubsplats::Resize(
   vtkOpenGLRenderWindow* window, const vtkIndirectSubsplatPyramid& pyramid, bool halfFloats)
 {
   const size_t count = halfFloats == this->HalfFloats ? pyramid.GetNumberOfLevels() : 0;
-  for (; this->Levels.size() > count; this->Levels.pop_back(), this->Lobes.pop_back())
-  {
-    this->Levels.back()->Release(window);
-    this->Lobes.back()->Release(window);
-  }
+  this->Levels.resize(std::min(count, this->Levels.size()));
+  this->Lobes.resize(this->Levels.size());
   this->HalfFloats = halfFloats;
   while (this->Levels.size() < pyramid.GetNumberOfLevels())
   {
     this->Levels.push_back(
-      std::make_unique<vtkIndirectTarget>(halfFloats ? HalfChannels : FloatChannels, false));
-    this->Lobes.push_back(std::make_unique<vtkIndirectTarget>(LobeChannels, false));
+      std::make_unique<vtkIndirectTarget>(this, halfFloats ? HalfChannels : FloatChannels, false));
+    this->Lobes.push_back(std::make_unique<vtkIndirectTarget>(this, LobeChannels, false));
   }
   for (size_t i = 0; i < this->Levels.size(); ++i)
   {
@@ -353,35 +350,8 @@ double vtkIndirectGlossySubsplats::CountEvaluations() const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectGlossySubsplats::GetBytes() const
+void vtkIndirectGlossySubsplats::ReleaseOwn(vtkWindow*)
 {
-  size_t bytes = this->Lists.GetBytes();
-  for (size_t i = 0; i < this->Levels.size(); ++i)
-  {
-    bytes += this->Levels[i]->GetBytes() + this->Lobes[i]->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectGlossySubsplats::Release(vtkWindow* window)
-{
-  for (size_t i = 0; i < this->Levels.size(); ++i)
-  {
-    this->Levels[i]->Release(window);
-    this->Lobes[i]->Release(window);
-  }
   this->Levels.clear();
   this->Lobes.clear();
-  this->Lists.Release();
-  for (vtkIndirectFullScreenProgram* kernel :
-    { &this->LobeOfPixels, &this->Lobe, &this->UpsamplePixels, &this->Upsample })
-  {
-    kernel->Release();
-  }
-  this->First.Release(window);
-  for (vtkIndirectComputeProgram& kernel : this->Sums)
-  {
-    kernel.Release(window);
-  }
 }

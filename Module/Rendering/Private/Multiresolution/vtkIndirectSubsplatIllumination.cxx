@@ -46,15 +46,12 @@ bool vtkIndirectSubsplatIllumination::Resize(vtkOpenGLRenderWindow* window,
   const vtkIndirectSubsplatPyramid& pyramid, const vtkIndirectTarget& pixels, bool halfFloats)
 {
   const size_t count = halfFloats == this->HalfFloats ? pyramid.GetNumberOfLevels() : 0;
-  for (; this->Levels.size() > count; this->Levels.pop_back())
-  {
-    this->Levels.back()->Release(window);
-  }
+  this->Levels.resize(std::min(count, this->Levels.size()));
   this->HalfFloats = halfFloats;
   while (this->Levels.size() < pyramid.GetNumberOfLevels())
   {
     this->Levels.push_back(
-      std::make_unique<vtkIndirectTarget>(halfFloats ? HalfChannels : FloatChannels, false));
+      std::make_unique<vtkIndirectTarget>(this, halfFloats ? HalfChannels : FloatChannels, false));
   }
   for (size_t i = 0; i < this->Levels.size(); ++i)
   {
@@ -261,35 +258,4 @@ bool vtkIndirectSubsplatIllumination::FillPixels(const Input& input, const Setti
   vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights, vtkIndirectTarget& pixels)
 {
   return this->Fill({ input, settings, pyramid, lights, pixels, 0 });
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSubsplatIllumination::GetBytes() const
-{
-  size_t bytes = 0;
-  for (const auto& level : this->Levels)
-  {
-    bytes += level->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSubsplatIllumination::Release(vtkWindow* window)
-{
-  for (auto& level : this->Levels)
-  {
-    level->Release(window);
-  }
-  this->Levels.clear();
-  for (vtkIndirectFullScreenProgram* kernel :
-    { &this->SmoothTexels, &this->OtherTexels, &this->SmoothPixels, &this->OtherPixels })
-  {
-    kernel->Release();
-  }
-  for (int i = 0; i < 2; ++i)
-  {
-    this->TexelBlocks[i].Release(window);
-    this->PixelBlocks[i].Release(window);
-  }
 }

@@ -10,8 +10,9 @@ namespace
 constexpr size_t MaximumLists = 16; // VTKI_LISTS
 }
 
-vtkIndirectSubsplatList::vtkIndirectSubsplatList()
-  : Buffer(MaximumLists)
+vtkIndirectSubsplatList::vtkIndirectSubsplatList(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Buffer(this, MaximumLists)
 {
 }
 

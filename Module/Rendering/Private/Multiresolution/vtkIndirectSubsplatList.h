@@ -5,6 +5,7 @@
 #define vtkIndirectSubsplatList_h
 
 #include "OpenGL/vtkIndirectCommandBuffer.h" // for a member
+#include "OpenGL/vtkIndirectResource.h"      // for the base class
 
 #include <cstddef> // for size_t
 #include <vector>  // for the levels
@@ -12,10 +13,10 @@
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
-class vtkIndirectSubsplatList
+class vtkIndirectSubsplatList : public vtkIndirectResource
 {
 public:
-  vtkIndirectSubsplatList();
+  explicit vtkIndirectSubsplatList(vtkIndirectResource* owner);
 
   /** Empties the lists; list i has space for capacities[i] entries. */
   void Begin(vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities);
@@ -32,10 +33,6 @@ public:
 
   /** Entries in a list. Waits for the GPU. */
   int Count(size_t list) const { return static_cast<int>(this->Buffer.Count(list)); }
-
-  size_t GetBytes() const { return this->Buffer.GetBytes(); }
-  /** The buffer's context must be current. */
-  void Release() { this->Buffer.Release(); }
 
 private:
   vtkIndirectCommandBuffer Buffer;

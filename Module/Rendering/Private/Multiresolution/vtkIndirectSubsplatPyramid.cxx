@@ -55,10 +55,6 @@ bool vtkIndirectSubsplatPyramid::Resize(
 {
   if (settings.DepthRange != this->DepthRange)
   {
-    for (auto& level : this->Levels)
-    {
-      level->Release(window);
-    }
     this->Levels.clear();
     this->DepthRange = settings.DepthRange;
   }
@@ -72,30 +68,25 @@ bool vtkIndirectSubsplatPyramid::Resize(
     if (count == this->Levels.size())
     {
       this->Levels.push_back(std::make_unique<vtkIndirectTarget>(
-        settings.DepthRange ? RangeChannels : PlaneChannels, false));
+        this, settings.DepthRange ? RangeChannels : PlaneChannels, false));
     }
     if (!this->Levels[count++]->Resize(window, width, height))
     {
       return false;
     }
   } while (2 * std::max(width, height) > settings.CoarsestResolution || count < 2);
-  for (; this->Levels.size() > count; this->Levels.pop_back())
-  {
-    this->Levels.back()->Release(window);
-  }
+  this->Levels.resize(count);
 
   const bool probes = settings.LightingThreshold > 0.0 || settings.ReportsError;
   if (!probes && this->Probe)
   {
-    this->Probe->Release(window);
-    this->Variation->Release(window);
     this->Probe.reset();
     this->Variation.reset();
   }
   if (probes && !this->Probe)
   {
-    this->Probe = std::make_unique<vtkIndirectTarget>(ProbeChannels, false);
-    this->Variation = std::make_unique<vtkIndirectTarget>(VariationChannels, false);
+    this->Probe = std::make_unique<vtkIndirectTarget>(this, ProbeChannels, false);
+    this->Variation = std::make_unique<vtkIndirectTarget>(this, VariationChannels, false);
   }
   return !probes ||
     (this->Probe->Resize(window, width, height) && this->Variation->Resize(window, width, height));
@@ -268,35 +259,9 @@ double vtkIndirectSubsplatPyramid::EstimateSamplingError() const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSubsplatPyramid::GetBytes() const
+void vtkIndirectSubsplatPyramid::ReleaseOwn(vtkWindow*)
 {
-  size_t bytes = this->Lists.GetBytes();
-  for (const auto& level : this->Levels)
-  {
-    bytes += level->GetBytes();
-  }
-  return bytes + (this->Probe ? this->Probe->GetBytes() + this->Variation->GetBytes() : 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSubsplatPyramid::Release(vtkWindow* window)
-{
-  for (auto& level : this->Levels)
-  {
-    level->Release(window);
-  }
   this->Levels.clear();
-  for (auto* target : { &this->Probe, &this->Variation })
-  {
-    if (*target)
-    {
-      (*target)->Release(window);
-      target->reset();
-    }
-  }
-  this->Lists.Release();
-  this->ProbeLights.Release();
-  this->MeasureVariation.Release();
-  this->BuildFinest.Release();
-  this->BuildCoarser.Release();
+  this->Probe.reset();
+  this->Variation.reset();
 }

@@ -84,14 +84,6 @@ vtkIndirectAbilities vtkIndirectSubsplatSum::GetAbilities(double tolerance) cons
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSubsplatSum::GetBytes() const
-{
-  return this->vtkIndirectSum::GetBytes() + this->Lights.GetBytes() + this->Pyramid.GetBytes() +
-    this->Illumination.GetBytes() + this->GlossySubsplats.GetBytes() + this->Lobes.GetBytes() +
-    (this->Batch ? this->Batch->GetBytes() : 0);
-}
-
-//------------------------------------------------------------------------------
 std::vector<std::string> vtkIndirectSubsplatSum::FindOwnThresholds() const
 {
   const auto& set = this->Set.Settings;
@@ -250,7 +242,7 @@ bool vtkIndirectSubsplatSum::FillInBatches(
   {
     this->BatchIsHalf = settings.HalfFloats;
     this->Batch = std::make_unique<vtkIndirectTarget>(
-      settings.HalfFloats ? HalfBatchChannels : BatchChannels, false);
+      this, settings.HalfFloats ? HalfBatchChannels : BatchChannels, false);
   }
   if (!this->Batch->Resize(
         window, input.Frame.Size[0], input.Frame.Size[1], this->Irradiance.get()))
@@ -390,21 +382,4 @@ int vtkIndirectSubsplatSum::DrawChannel(
 {
   return this->View.Draw(name, frame, geometry, this->Pyramid, this->Illumination,
     *this->Irradiance, this->GetIrradianceUnit());
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSubsplatSum::ReleaseOwn(vtkWindow* window)
-{
-  this->Lights.Release();
-  this->Pyramid.Release(window);
-  this->Illumination.Release(window);
-  this->View.Release();
-  this->GlossySubsplats.Release(window);
-  this->GlossyGather.Release();
-  this->Lobes.Release(window);
-  if (this->Batch)
-  {
-    this->Batch->Release(window);
-  }
-  this->AddBatch.Release();
 }

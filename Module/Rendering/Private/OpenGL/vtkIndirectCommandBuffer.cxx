@@ -22,12 +22,12 @@ vtkIndirectCommandBuffer::~vtkIndirectCommandBuffer()
   if (this->Window)
   {
     this->Window->MakeCurrent();
-    this->Release();
+    this->Release(this->Window);
   }
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectCommandBuffer::GetBytes(size_t lists, size_t words)
+size_t vtkIndirectCommandBuffer::CountBytes(size_t lists, size_t words)
 {
   return lists * sizeof(Command) + words * sizeof(unsigned int);
 }
@@ -35,7 +35,7 @@ size_t vtkIndirectCommandBuffer::GetBytes(size_t lists, size_t words)
 //------------------------------------------------------------------------------
 size_t vtkIndirectCommandBuffer::GetOffset(size_t word) const
 {
-  return GetBytes(this->NumberOfLists, word);
+  return CountBytes(this->NumberOfLists, word);
 }
 
 //------------------------------------------------------------------------------
@@ -48,7 +48,7 @@ vtkOpenGLRenderWindow* vtkIndirectCommandBuffer::GetWindow() const
 void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words)
 {
 #ifdef GL_SHADER_STORAGE_BUFFER
-  const size_t bytes = GetBytes(this->NumberOfLists, words);
+  const size_t bytes = CountBytes(this->NumberOfLists, words);
   if (this->Handle == 0)
   {
     this->Window = window;
@@ -124,7 +124,7 @@ void vtkIndirectCommandBuffer::Read(size_t first, size_t count, unsigned int* wo
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCommandBuffer::Release()
+void vtkIndirectCommandBuffer::ReleaseOwn(vtkWindow*)
 {
   if (this->Handle)
   {

@@ -91,8 +91,9 @@ private:
 };
 
 //------------------------------------------------------------------------------
-vtkIndirectComputeProgram::vtkIndirectComputeProgram(const char* stage)
-  : Stage(stage)
+vtkIndirectComputeProgram::vtkIndirectComputeProgram(vtkIndirectResource* owner, const char* stage)
+  : vtkIndirectResource(owner)
+  , Stage(stage)
 {
 }
 
@@ -111,7 +112,7 @@ void vtkIndirectComputeProgram::SetDefinitions(const std::string& definitions)
   if (definitions != this->Definitions)
   {
     this->Definitions = definitions;
-    this->Release(nullptr);
+    this->ReleaseOwn(nullptr);
   }
 }
 
@@ -200,7 +201,7 @@ void vtkIndirectComputeProgram::Run(const vtkIndirectCommandBuffer& lists, size_
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectComputeProgram::Release(vtkWindow*)
+void vtkIndirectComputeProgram::ReleaseOwn(vtkWindow*)
 {
   if (this->Built)
   {

@@ -21,7 +21,11 @@ constexpr unsigned int FormatsOfIntegers[] = { GL_RED_INTEGER, GL_RG_INTEGER, GL
   GL_RGBA_INTEGER };
 }
 
-vtkIndirectDataTexture::vtkIndirectDataTexture() = default;
+vtkIndirectDataTexture::vtkIndirectDataTexture(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+{
+}
+
 vtkIndirectDataTexture::~vtkIndirectDataTexture() = default;
 
 //------------------------------------------------------------------------------
@@ -78,7 +82,7 @@ void vtkIndirectDataTexture::Deactivate() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDataTexture::Release(vtkWindow* window)
+void vtkIndirectDataTexture::ReleaseOwn(vtkWindow* window)
 {
   if (this->Texture)
   {

@@ -3,21 +3,20 @@
 #ifndef vtkIndirectDataTexture_h
 #define vtkIndirectDataTexture_h
 
-#include "vtkSmartPointer.h" // for the texture
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkSmartPointer.h"            // for the texture
 
-#include <cstddef>     // for size_t
 #include <glm/glm.hpp> // for sizes
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
-class vtkWindow;
 
-class vtkIndirectDataTexture
+class vtkIndirectDataTexture : public vtkIndirectResource
 {
 public:
-  vtkIndirectDataTexture();
-  ~vtkIndirectDataTexture();
+  vtkIndirectDataTexture(vtkIndirectResource* owner);
+  ~vtkIndirectDataTexture() override;
 
   enum ContentType
   {
@@ -43,11 +42,12 @@ public:
   void Deactivate() const;
   ///@}
 
-  size_t GetBytes() const { return this->Bytes; }
-  void Release(vtkWindow* window);
-
   /** Drops the content, which is out of date; the context need not be current. */
   void Clear();
+
+protected:
+  size_t GetOwnBytes() const override { return this->Bytes; }
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   vtkSmartPointer<vtkTextureObject> Texture;

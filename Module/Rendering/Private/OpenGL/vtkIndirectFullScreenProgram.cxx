@@ -13,8 +13,10 @@
 
 #include <algorithm>
 
-vtkIndirectFullScreenProgram::vtkIndirectFullScreenProgram(const char* stage, const char* gather)
-  : Stage(stage)
+vtkIndirectFullScreenProgram::vtkIndirectFullScreenProgram(
+  vtkIndirectResource* owner, const char* stage, const char* gather)
+  : vtkIndirectResource(owner)
+  , Stage(stage)
   , Gather(gather)
 {
 }
@@ -40,7 +42,7 @@ void vtkIndirectFullScreenProgram::SetGather(const std::string& gather)
   if (gather != this->Gather)
   {
     this->Gather = gather;
-    this->Release();
+    this->Quad.reset();
   }
 }
 
@@ -50,7 +52,7 @@ void vtkIndirectFullScreenProgram::SetDefinitions(const std::string& definitions
   if (definitions != this->Definitions)
   {
     this->Definitions = definitions;
-    this->Release();
+    this->Quad.reset();
   }
 }
 
@@ -97,7 +99,7 @@ void vtkIndirectFullScreenProgram::Draw()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFullScreenProgram::Release()
+void vtkIndirectFullScreenProgram::ReleaseOwn(vtkWindow*)
 {
   this->Quad.reset();
 }

@@ -3,6 +3,8 @@
 #ifndef vtkIndirectFullScreenProgram_h
 #define vtkIndirectFullScreenProgram_h
 
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+
 #include <memory> // for the quad
 #include <string> // for names
 
@@ -10,13 +12,13 @@ class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
-class vtkIndirectFullScreenProgram
+class vtkIndirectFullScreenProgram : public vtkIndirectResource
 {
 public:
   /** stage: the name of a file in glsl; gather: the file for VTKI_GATHER, if the stage has one. */
-  vtkIndirectFullScreenProgram(const char* stage, const char* gather = "");
-
-  ~vtkIndirectFullScreenProgram();
+  vtkIndirectFullScreenProgram(
+    vtkIndirectResource* owner, const char* stage, const char* gather = "");
+  ~vtkIndirectFullScreenProgram() override;
 
   /**
    * Makes the program current, building it on first use in this window. Returns nullptr if it does
@@ -36,7 +38,8 @@ public:
   /** Runs the program over the current viewport. */
   void Draw();
 
-  void Release();
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   std::string Stage;

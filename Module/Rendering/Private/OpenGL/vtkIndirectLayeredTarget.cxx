@@ -27,8 +27,10 @@ size_t BytesPerTexel(unsigned int internalFormat)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectLayeredTarget::vtkIndirectLayeredTarget(const vtkIndirectChannel* channels)
-  : Channels(channels)
+vtkIndirectLayeredTarget::vtkIndirectLayeredTarget(
+  vtkIndirectResource* owner, const vtkIndirectChannel* channels)
+  : vtkIndirectResource(owner)
+  , Channels(channels)
 {
   while (channels[this->NumberOfChannels].InternalFormat)
   {
@@ -164,7 +166,7 @@ void vtkIndirectLayeredTarget::Deactivate()
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectLayeredTarget::GetBytes() const
+size_t vtkIndirectLayeredTarget::GetOwnBytes() const
 {
   size_t perTexel = 4;
   for (int i = 0; i < this->NumberOfChannels; ++i)
@@ -175,7 +177,7 @@ size_t vtkIndirectLayeredTarget::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLayeredTarget::Release(vtkWindow* window)
+void vtkIndirectLayeredTarget::ReleaseOwn(vtkWindow* window)
 {
   if (this->Framebuffer)
   {

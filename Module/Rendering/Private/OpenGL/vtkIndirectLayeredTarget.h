@@ -3,25 +3,24 @@
 #ifndef vtkIndirectLayeredTarget_h
 #define vtkIndirectLayeredTarget_h
 
-#include "OpenGL/vtkIndirectChannel.h" // for the table
-#include "vtkSmartPointer.h"           // for members
+#include "OpenGL/vtkIndirectChannel.h"  // for the table
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkSmartPointer.h"            // for members
 
-#include <cstddef> // for size_t
-#include <vector>  // for textures
+#include <vector> // for textures
 
 class vtkIndirectArrayTexture;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectLayeredTarget
+class vtkIndirectLayeredTarget : public vtkIndirectResource
 {
 public:
   /** channels: table ended by InternalFormat 0. A depth array for shadow look-ups is always added.
    */
-  explicit vtkIndirectLayeredTarget(const vtkIndirectChannel* channels);
-  ~vtkIndirectLayeredTarget();
+  vtkIndirectLayeredTarget(vtkIndirectResource* owner, const vtkIndirectChannel* channels);
+  ~vtkIndirectLayeredTarget() override;
 
   /** Uses only this many of the table's channels, from the first on; takes effect with Resize. */
   void SetNumberOfChannels(int count) { this->NumberOfChannels = count; }
@@ -47,8 +46,10 @@ public:
   void Deactivate();
 
   int GetLayers() const { return this->Layers; }
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+
+protected:
+  size_t GetOwnBytes() const override;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   const vtkIndirectChannel* Channels;

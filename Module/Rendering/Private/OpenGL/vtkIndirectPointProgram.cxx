@@ -9,8 +9,10 @@
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
-vtkIndirectPointProgram::vtkIndirectPointProgram(const char* vertexStage, const char* fragmentStage)
-  : VertexStage(vertexStage)
+vtkIndirectPointProgram::vtkIndirectPointProgram(
+  vtkIndirectResource* owner, const char* vertexStage, const char* fragmentStage)
+  : vtkIndirectResource(owner)
+  , VertexStage(vertexStage)
   , FragmentStage(fragmentStage)
 {
 }
@@ -21,7 +23,7 @@ vtkIndirectPointProgram::~vtkIndirectPointProgram()
   if (this->Window)
   {
     this->Window->MakeCurrent();
-    this->Release();
+    this->Release(this->Window);
   }
 }
 
@@ -68,7 +70,7 @@ void vtkIndirectPointProgram::DrawRectangle()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPointProgram::Release()
+void vtkIndirectPointProgram::ReleaseOwn(vtkWindow*)
 {
   if (this->VertexArray)
   {

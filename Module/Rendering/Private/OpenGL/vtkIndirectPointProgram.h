@@ -4,21 +4,21 @@
 #ifndef vtkIndirectPointProgram_h
 #define vtkIndirectPointProgram_h
 
-#include "vtkOpenGLRenderWindow.h" // for the weak pointer
-#include "vtkWeakPointer.h"        // for the context
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkOpenGLRenderWindow.h"      // for the weak pointer
+#include "vtkWeakPointer.h"             // for the context
 
 #include <string> // for names
 
 class vtkShaderProgram;
 
-class vtkIndirectPointProgram
+class vtkIndirectPointProgram : public vtkIndirectResource
 {
 public:
   /** Files in glsl/stage. */
-  vtkIndirectPointProgram(const char* vertexStage, const char* fragmentStage);
-  ~vtkIndirectPointProgram();
-  vtkIndirectPointProgram(const vtkIndirectPointProgram&) = delete;
-  void operator=(const vtkIndirectPointProgram&) = delete;
+  vtkIndirectPointProgram(
+    vtkIndirectResource* owner, const char* vertexStage, const char* fragmentStage);
+  ~vtkIndirectPointProgram() override;
 
   /**
    * Makes the program current, with these lines at the beginning of both texts. Returns nullptr if
@@ -32,7 +32,8 @@ public:
   /** Draws the rectangle of corners 0 to 3, corners 2 and 3 beside 0 and 1. */
   void DrawRectangle();
 
-  void Release();
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   std::string VertexStage;

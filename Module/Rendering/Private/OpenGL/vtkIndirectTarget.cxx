@@ -96,8 +96,10 @@ int FindBoundDepthFormat()
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectTarget::vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits)
-  : Channels(channels)
+vtkIndirectTarget::vtkIndirectTarget(
+  vtkIndirectResource* owner, const vtkIndirectChannel* channels, bool depth, int depthBits)
+  : vtkIndirectResource(owner)
+  , Channels(channels)
   , WithDepth(depth)
   , DepthBits(depthBits)
 {
@@ -426,7 +428,7 @@ void vtkIndirectTarget::Write(int channel, const std::vector<float>& values, int
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectTarget::GetBytes() const
+size_t vtkIndirectTarget::GetOwnBytes() const
 {
   size_t perPixel = this->Depth ? this->DepthBits / 8 : 0;
   for (size_t i = 0; i < this->Textures.size(); ++i)
@@ -445,7 +447,7 @@ void vtkIndirectTarget::Print(std::ostream& os, vtkIndent indent) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTarget::Release(vtkWindow* window)
+void vtkIndirectTarget::ReleaseOwn(vtkWindow* window)
 {
   if (this->Framebuffer)
   {

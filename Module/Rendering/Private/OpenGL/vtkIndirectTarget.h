@@ -4,6 +4,7 @@
 #define vtkIndirectTarget_h
 
 #include "OpenGL/vtkIndirectChannel.h"  // for the table
+#include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkIndent.h"                  // for Print
 #include "vtkOpenGLFramebufferObject.h" // for members
 #include "vtkSmartPointer.h"            // for members
@@ -15,15 +16,17 @@
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectTarget
+class vtkIndirectTarget : public vtkIndirectResource
 {
 public:
-  /** channels: table ended by InternalFormat 0; depth: adds a depth texture, of 32-bit floats or 16
-   * bits, or only that if the table is empty. */
-  vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits = 32);
-  ~vtkIndirectTarget();
+  /**
+   * channels: table ended by InternalFormat 0; depth: adds a depth texture, of 32-bit floats or 16
+   * bits, or only that if the table is empty.
+   */
+  vtkIndirectTarget(
+    vtkIndirectResource* owner, const vtkIndirectChannel* channels, bool depth, int depthBits = 32);
+  ~vtkIndirectTarget() override;
 
   /** Uses only this many of the table's channels, from the first on; before Resize. */
   void SetNumberOfChannels(int count) { this->Limit = static_cast<size_t>(count); }
@@ -98,8 +101,10 @@ public:
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+
+protected:
+  size_t GetOwnBytes() const override;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   void ActivateChannels();

@@ -17,7 +17,7 @@ vtkIndirectUniformBlock::~vtkIndirectUniformBlock()
   if (this->Window)
   {
     this->Window->MakeCurrent();
-    this->Release();
+    this->Release(this->Window);
   }
 }
 
@@ -48,7 +48,7 @@ void vtkIndirectUniformBlock::Activate(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectUniformBlock::Release()
+void vtkIndirectUniformBlock::ReleaseOwn(vtkWindow*)
 {
   if (this->Buffer)
   {

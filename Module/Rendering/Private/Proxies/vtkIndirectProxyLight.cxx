@@ -183,10 +183,3 @@ void vtkIndirectProxyLight::Activate(vtkShaderProgram* program) const
   this->Block.Activate(program);
   program->SetUniformi("vtkiPolygonCount", this->NumberOfPolygons);
 }
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxyLight::Release()
-{
-  this->Block.Release();
-  this->Environment = nullptr;
-}

@@ -4,6 +4,7 @@
 #ifndef vtkIndirectProxyLight_h
 #define vtkIndirectProxyLight_h
 
+#include "OpenGL/vtkIndirectResource.h"     // for the base class
 #include "OpenGL/vtkIndirectUniformBlock.h" // for a member
 #include "Proxies/vtkIndirectProxySphere.h" // for polygons
 
@@ -14,9 +15,11 @@
 class vtkEnvironmentLight;
 class vtkShaderProgram;
 
-class vtkIndirectProxyLight
+class vtkIndirectProxyLight : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
+
   static constexpr int NumberOfCoefficients = 16;
   static constexpr size_t MostPolygons = 32;
   static constexpr size_t MostCorners = 8;
@@ -47,14 +50,15 @@ public:
   static glm::dvec3 FindNormal(const vtkIndirectProxyPolygon& polygon);
 
   void Activate(vtkShaderProgram* program) const;
-  size_t GetBytes() const { return this->Block.GetBytes(); }
-  void Release();
+
+protected:
+  void ReleaseOwn(vtkWindow*) override { this->Environment = nullptr; }
 
 private:
   void AddPolygons(std::vector<glm::vec4>& rows,
     const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace);
 
-  vtkIndirectUniformBlock Block{ "vtkiProxyBlock" };
+  vtkIndirectUniformBlock Block{ this, "vtkiProxyBlock" };
   Coefficients Light;
   vtkEnvironmentLight* Environment = nullptr; // compared only
   vtkMTimeType Time = 0;

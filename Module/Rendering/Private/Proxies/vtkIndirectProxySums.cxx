@@ -48,13 +48,14 @@ void FinishImages()
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectProxySums::vtkIndirectProxySums()
-  : SenderLight(SenderLightChannels, false)
-  , AllLight(SentLightChannels, false)
-  , Coarse(CoarseChannels)
-  , Shared(SharedChannels, false)
-  , Counts(CountChannels, false)
-  , Blended(BlendedChannels, false)
+vtkIndirectProxySums::vtkIndirectProxySums(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , SenderLight(this, SenderLightChannels, false)
+  , AllLight(this, SentLightChannels, false)
+  , Coarse(this, CoarseChannels)
+  , Shared(this, SharedChannels, false)
+  , Counts(this, CountChannels, false)
+  , Blended(this, BlendedChannels, false)
 {
 }
 
@@ -204,7 +205,7 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
     this->Coarse.Release(frame.Window);
     this->Shared.Release(frame.Window);
     this->Counts.Release(frame.Window);
-    this->Rest.Release();
+    this->Rest.Release(frame.Window);
   }
   else
   {
@@ -489,42 +490,8 @@ bool vtkIndirectProxySums::Upsample(
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectProxySums::GetBytes() const
+void vtkIndirectProxySums::ReleaseOwn(vtkWindow*)
 {
-  size_t bytes = this->Tables.GetBytes() + this->Mesh.GetBytes() + this->Light.GetBytes() +
-    this->Rest.GetBytes();
-  for (const vtkIndirectTarget* target :
-    std::initializer_list<const vtkIndirectTarget*>{ &this->SenderLight, &this->AllLight,
-      &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
-  {
-    bytes += target->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxySums::Release(vtkWindow* window)
-{
-  for (vtkIndirectTarget* target : std::initializer_list<vtkIndirectTarget*>{ &this->SenderLight,
-         &this->AllLight, &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
-  {
-    target->Release(window);
-  }
-  this->Tables.Release(window);
-  this->Light.Release();
-  this->Mesh.Release();
-  this->Rest.Release();
-  this->Choosing.Release(window);
-  this->Sharing.Release(window);
-  for (vtkIndirectComputeProgram& program : this->Tiles)
-  {
-    program.Release(window);
-  }
-  this->Upsampling.Release();
-  this->Background.Release();
-  this->Resolving.Release();
-  this->Sending.Release();
-  this->Averaging.Release();
   this->Changed = true;
   this->SendersAreLit = false;
 }

@@ -66,12 +66,13 @@ void Append(std::vector<float>& values, const glm::vec3& xyz, float w)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectProxyTreeTables::vtkIndirectProxyTreeTables()
-  : Table(TableChannels, false)
-  , Rows(RowsChannels, false)
-  , Blocks(BlocksChannels, false)
-  , Senders(SendersChannels, false)
-  , Ranges(RangesChannels, false)
+vtkIndirectProxyTreeTables::vtkIndirectProxyTreeTables(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Table(this, TableChannels, false)
+  , Rows(this, RowsChannels, false)
+  , Blocks(this, BlocksChannels, false)
+  , Senders(this, SendersChannels, false)
+  , Ranges(this, RangesChannels, false)
 {
 }
 
@@ -221,24 +222,7 @@ void vtkIndirectProxyTreeTables::Deactivate() const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectProxyTreeTables::GetBytes() const
+void vtkIndirectProxyTreeTables::ReleaseOwn(vtkWindow*)
 {
-  size_t bytes = 0;
-  for (const vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges })
-  {
-    bytes += target->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxyTreeTables::Release(vtkWindow* window)
-{
-  for (vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges })
-  {
-    target->Release(window);
-  }
   this->NumberOfEntries = this->NumberOfBlocks = this->NumberOfSenders = 0;
 }

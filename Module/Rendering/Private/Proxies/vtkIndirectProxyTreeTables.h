@@ -4,16 +4,17 @@
 #ifndef vtkIndirectProxyTreeTables_h
 #define vtkIndirectProxyTreeTables_h
 
+#include "OpenGL/vtkIndirectResource.h"    // for the base class
 #include "OpenGL/vtkIndirectTarget.h"      // for members
 #include "Proxies/vtkIndirectProxyLight.h" // for polygons
 #include "Proxies/vtkIndirectProxyTree.h"  // for entries
 
 #include <vector> // for polygons
 
-class vtkIndirectProxyTreeTables
+class vtkIndirectProxyTreeTables : public vtkIndirectResource
 {
 public:
-  vtkIndirectProxyTreeTables();
+  explicit vtkIndirectProxyTreeTables(vtkIndirectResource* owner);
 
   /** Uploads entries. Returns false, after an error, if OpenGL refuses. */
   bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
@@ -38,8 +39,8 @@ public:
   /** Ranges of senders whose mean an entry sends. */
   const vtkIndirectTarget& GetRanges() const { return this->Ranges; }
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   bool UpdateSenders(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree);

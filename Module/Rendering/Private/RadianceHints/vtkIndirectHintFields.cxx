@@ -67,14 +67,15 @@ std::string vtkIndirectHintFields::GetLookupDefinitions(const Settings& settings
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectHintFields::vtkIndirectHintFields()
-  : Radiosity(RadiosityChannels, false)
-  , DenseKernel("vtkIndirectHintDenseFS.glsl")
-  , SampledKernel("vtkIndirectHintSampledFS.glsl")
-  , CopyKernel("vtkIndirectHintCopyFS.glsl")
-  , RadiosityKernel("vtkIndirectHintRadiosityFS.glsl")
-  , SurfacesKernel("vtkIndirectHintSurfacesFS.glsl")
-  , ExchangeKernel("vtkIndirectHintExchangeFS.glsl")
+vtkIndirectHintFields::vtkIndirectHintFields(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Radiosity(this, RadiosityChannels, false)
+  , DenseKernel(this, "vtkIndirectHintDenseFS.glsl")
+  , SampledKernel(this, "vtkIndirectHintSampledFS.glsl")
+  , CopyKernel(this, "vtkIndirectHintCopyFS.glsl")
+  , RadiosityKernel(this, "vtkIndirectHintRadiosityFS.glsl")
+  , SurfacesKernel(this, "vtkIndirectHintSurfacesFS.glsl")
+  , ExchangeKernel(this, "vtkIndirectHintExchangeFS.glsl")
 {
 }
 
@@ -88,12 +89,8 @@ bool vtkIndirectHintFields::Resize(const Input& input, const Settings& settings,
   {
     for (auto& field : this->Fields)
     {
-      if (field)
-      {
-        field->Release(window);
-      }
       field = std::make_unique<vtkIndirectTarget>(
-        settings.Layout == 2 ? SevenFields : ThreeFields, false);
+        this, settings.Layout == 2 ? SevenFields : ThreeFields, false);
     }
     this->Layout = settings.Layout;
   }
@@ -351,33 +348,4 @@ std::vector<std::vector<float>> vtkIndirectHintFields::ReadBack() const
     }
   }
   return channels;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectHintFields::GetBytes() const
-{
-  size_t bytes = this->Radiosity.GetBytes();
-  for (const auto& field : this->Fields)
-  {
-    bytes += field ? field->GetBytes() : 0;
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintFields::Release(vtkWindow* window)
-{
-  for (auto& field : this->Fields)
-  {
-    if (field)
-    {
-      field->Release(window);
-    }
-  }
-  this->Radiosity.Release(window);
-  for (vtkIndirectFullScreenProgram* kernel : { &this->DenseKernel, &this->SampledKernel,
-         &this->CopyKernel, &this->RadiosityKernel, &this->SurfacesKernel, &this->ExchangeKernel })
-  {
-    kernel->Release();
-  }
 }

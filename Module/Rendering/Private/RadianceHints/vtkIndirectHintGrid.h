@@ -13,6 +13,7 @@
 
 #include "OpenGL/vtkIndirectDataTexture.h" // for members
 #include "OpenGL/vtkIndirectKernels.h"     // for the row length
+#include "OpenGL/vtkIndirectResource.h"    // for the base class
 
 #include <array>       // for tables
 #include <glm/glm.hpp> // for vectors
@@ -23,9 +24,8 @@ class vtkIndirectOccupancyVolume;
 class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectHintGrid
+class vtkIndirectHintGrid : public vtkIndirectResource
 {
 public:
   static constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
@@ -68,8 +68,8 @@ public:
     float Depth; // greatest depth of the surface behind its plane, scene units
   };
 
-  vtkIndirectHintGrid();
-  ~vtkIndirectHintGrid();
+  explicit vtkIndirectHintGrid(vtkIndirectResource* owner = nullptr);
+  ~vtkIndirectHintGrid() override;
 
   ///@{
   /**
@@ -115,9 +115,7 @@ public:
   ///@}
   int GetNumberOfGrids() const { return static_cast<int>(this->Current.Regions.size()); }
 
-  size_t GetBytes() const;
   size_t GetMainMemoryBytes() const;
-  void Release(vtkWindow* window);
 
 private:
   enum Table
@@ -158,7 +156,9 @@ private:
   int NumberOfActive = 0;
   int RayEdge = 0;
   int RayRowLength = 0; // texels in a row of the table of rays
-  std::array<vtkIndirectDataTexture, NumberOfTables> Textures; // each made when it is first bound
+  // Each is made when it is first bound.
+  vtkIndirectDataTexture Textures[NumberOfTables]{ { this }, { this }, { this }, { this }, { this },
+    { this }, { this }, { this } };
 };
 
 #endif

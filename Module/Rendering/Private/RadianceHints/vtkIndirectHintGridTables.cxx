@@ -18,22 +18,6 @@ constexpr int LeastRayRowLength = 1024;
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectHintGrid::GetBytes() const
-{
-  return std::accumulate(this->Textures.begin(), this->Textures.end(), size_t(0),
-    [](size_t sum, const vtkIndirectDataTexture& texture) { return sum + texture.GetBytes(); });
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Release(vtkWindow* window)
-{
-  for (vtkIndirectDataTexture& texture : this->Textures)
-  {
-    texture.Release(window);
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectHintGrid::Deactivate() const
 {
   for (const vtkIndirectDataTexture& texture : this->Textures)

@@ -85,7 +85,7 @@ bool vtkIndirectHintSenders::Update(const Input& input)
 //------------------------------------------------------------------------------
 void vtkIndirectHintSenders::ReleaseOwn(vtkWindow* window)
 {
+  this->vtkIndirectSampler::ReleaseOwn(window);
   this->ViewPattern->ReleaseGraphicsResources(window);
-  this->Program.Release();
   this->MapTime = 0;
 }

@@ -38,11 +38,11 @@ const vtkIndirectChannel CoarseChannels[] = {
 vtkIndirectHintSum::vtkIndirectHintSum(vtkRadianceHintsPass& pass)
   : vtkIndirectSum(pass)
   , Set(pass)
-  , Coarse{ vtkIndirectReceiverGrid(CoarseChannels), vtkIndirectReceiverGrid(CoarseChannels) }
+  , Coarse{ { this, CoarseChannels }, { this, CoarseChannels } }
   , Senders(std::make_shared<vtkIndirectHintSenders>(&pass))
 {
   // With depth, which marks the pixels that interpolation has left.
-  this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true, 16);
+  this->Irradiance = std::make_unique<vtkIndirectTarget>(this, IrradianceChannels, true, 16);
 }
 
 //------------------------------------------------------------------------------
@@ -117,14 +117,6 @@ double vtkIndirectHintSum::FindErrorTolerance(double asked) const
     return 0.0;
   }
   return asked > 0.0 ? std::clamp(asked, 0.002, 1.0) : 0.05;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectHintSum::GetBytes() const
-{
-  const size_t bytes = this->vtkIndirectSum::GetBytes() + this->Grid.GetBytes() +
-    this->Fields.GetBytes() + this->Coarse[0].GetBytes() + this->Coarse[1].GetBytes();
-  return bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -438,15 +430,8 @@ std::vector<vtkIndirectHintSum::Hint> vtkIndirectHintSum::ReadHints()
 void vtkIndirectHintSum::ReleaseOwn(vtkWindow* window)
 {
   // Voxels of another pass have the same numbers.
-  this->Grid.Release(window);
   this->Grid.Clear();
-  this->Fields.Release(window);
   this->LightKey.Clear();
-  this->Coarse[0].Release(window);
-  this->Coarse[1].Release(window);
   this->CoarseValid = false;
   this->Senders->Release(window);
-  this->LookUpKernel.Release();
-  this->MixedCells.Release();
-  this->Pixels.Release();
 }

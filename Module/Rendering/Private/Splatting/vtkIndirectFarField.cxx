@@ -42,8 +42,9 @@ std::string GetDefinitions(
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectFarField::vtkIndirectFarField()
-  : Coarse(CoarseChannels)
+vtkIndirectFarField::vtkIndirectFarField(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Coarse(this, CoarseChannels)
 {
 }
 
@@ -132,20 +133,4 @@ double vtkIndirectFarField::FindShare() const
     this->ShareIsKnown = true;
   }
   return this->Share;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectFarField::ReleaseSum(vtkWindow* window)
-{
-  this->Coarse.Release(window);
-  this->Share = 0.0;
-  this->ShareIsKnown = true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectFarField::Release(vtkWindow* window)
-{
-  this->ReleaseSum(window);
-  this->SumCoarse.Release();
-  this->Interpolate.Release();
 }

@@ -40,10 +40,11 @@ const vtkIndirectChannel BoundsChannels[] = {
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSplatTable::vtkIndirectSplatTable()
-  : Columns(ColumnsChannels, false)
-  , Mean(MeanChannels, false)
-  , Bounds(BoundsChannels, false)
+vtkIndirectSplatTable::vtkIndirectSplatTable(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Columns(this, ColumnsChannels, false)
+  , Mean(this, MeanChannels, false)
+  , Bounds(this, BoundsChannels, false)
 {
 }
 
@@ -181,22 +182,4 @@ void vtkIndirectSplatTable::Deactivate(const vtkIndirectEstimateInput& input) co
   input.Lights->DeactivateLobes();
   input.Lights->Deactivate();
   this->Deactivate();
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSplatTable::GetBytes() const
-{
-  return this->Columns.GetBytes() + this->Mean.GetBytes() + this->Bounds.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSplatTable::Release(vtkWindow* window)
-{
-  this->Columns.Release(window);
-  this->Mean.Release(window);
-  this->Bounds.Release(window);
-  this->SumColumns.Release();
-  this->SumAll.Release();
-  this->MakeBounds.Release();
-  this->NumberOfLights = -1;
 }

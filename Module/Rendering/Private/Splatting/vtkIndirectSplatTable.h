@@ -6,15 +6,16 @@
 
 #include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "vtkType.h"                             // for the time
 
 #include <string> // for definitions
 
-class vtkIndirectSplatTable
+class vtkIndirectSplatTable : public vtkIndirectResource
 {
 public:
-  vtkIndirectSplatTable();
+  explicit vtkIndirectSplatTable(vtkIndirectResource* owner);
 
   /**
    * Updates the ellipsoids. threshold: IntensityThreshold; fades: there is a far field. Returns
@@ -41,8 +42,8 @@ public:
   /** Centre and half length, axis and half width; also of lobes if lights have them. */
   const vtkIndirectTarget& GetBounds() const { return this->Bounds; }
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow*) override { this->NumberOfLights = -1; }
 
 private:
   bool Draw(const vtkIndirectEstimateInput& input);
@@ -50,9 +51,9 @@ private:
   vtkIndirectTarget Columns;
   vtkIndirectTarget Mean;
   vtkIndirectTarget Bounds;
-  vtkIndirectFullScreenProgram SumColumns{ "vtkIndirectSplatMeanFS.glsl" };
-  vtkIndirectFullScreenProgram SumAll{ "vtkIndirectSplatMeanFS.glsl" };
-  vtkIndirectFullScreenProgram MakeBounds{ "vtkIndirectSplatTableFS.glsl" };
+  vtkIndirectFullScreenProgram SumColumns{ this, "vtkIndirectSplatMeanFS.glsl" };
+  vtkIndirectFullScreenProgram SumAll{ this, "vtkIndirectSplatMeanFS.glsl" };
+  vtkIndirectFullScreenProgram MakeBounds{ this, "vtkIndirectSplatTableFS.glsl" };
   // Inputs of the current table.
   vtkMTimeType ContentTime = 0;
   int NumberOfLights = -1;

@@ -204,13 +204,3 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   return input.Lights && table.GetBytes() > 0 && sum.GetWidth() > 0;
 #endif
 }
-
-//------------------------------------------------------------------------------
-void vtkIndirectSplats::Release()
-{
-  this->Mesh.Release();
-  this->Tiles.Release(nullptr);
-  this->GlossyTiles.Release(nullptr);
-  this->OfLights = {};
-  this->OfLobes = {};
-}

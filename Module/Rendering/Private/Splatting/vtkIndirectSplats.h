@@ -6,6 +6,7 @@
 
 #include "Frame/vtkIndirectEstimate.h"        // for the input
 #include "OpenGL/vtkIndirectComputeProgram.h" // for a member
+#include "OpenGL/vtkIndirectResource.h"       // for the base class
 #include "Splatting/vtkIndirectSplatMesh.h"   // for a member
 
 #include <string> // for texts
@@ -14,9 +15,11 @@ class vtkIndirectSplatTable;
 class vtkIndirectTarget;
 class vtkShaderProgram;
 
-class vtkIndirectSplats
+class vtkIndirectSplats : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
+
   /**
    * Fills `sum`, of the frame's size and RGBA32F; its fourth component is the number of splats at a
    * pixel. Without tiles the target shares the geometry buffer's depth. Within a
@@ -32,9 +35,6 @@ public:
    */
   bool SumGlossy(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectTarget& glossy);
-
-  size_t GetBytes() const { return this->Mesh.GetBytes(); }
-  void Release();
 
 private:
   /** Programs for lights, or for their lobes. */
@@ -54,11 +54,11 @@ private:
   static bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum);
 
-  vtkIndirectSplatMesh Mesh;
+  vtkIndirectSplatMesh Mesh{ this };
   Shaders OfLights;
   Shaders OfLobes;
-  vtkIndirectComputeProgram Tiles{ "vtkIndirectSplatTilesCS.glsl" };
-  vtkIndirectComputeProgram GlossyTiles{ "vtkIndirectGlossyTilesCS.glsl" };
+  vtkIndirectComputeProgram Tiles{ this, "vtkIndirectSplatTilesCS.glsl" };
+  vtkIndirectComputeProgram GlossyTiles{ this, "vtkIndirectGlossyTilesCS.glsl" };
 };
 
 #endif

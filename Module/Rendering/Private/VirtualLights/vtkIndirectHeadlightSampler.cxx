@@ -50,16 +50,3 @@ bool vtkIndirectHeadlightSampler::Update(const Input& input)
   table.End();
   return true;
 }
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectHeadlightSampler::GetBytes() const
-{
-  return this->vtkIndirectSampler::GetBytes() + this->Texture.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHeadlightSampler::ReleaseOwn(vtkWindow* window)
-{
-  this->Texture.Release(window);
-  this->Program.Release();
-}

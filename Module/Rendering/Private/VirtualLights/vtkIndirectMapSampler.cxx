@@ -63,29 +63,25 @@ std::vector<Source> MakeSources(const vtkIndirectLightMaps& maps, const Drawing&
 }
 
 //------------------------------------------------------------------------------
-struct vtkIndirectMapSampler::Internals
+struct vtkIndirectMapSampler::Internals : vtkIndirectResource
 {
-  vtkIndirectPatternTexture Pattern;
-  vtkIndirectSampleWarp Warp;
-  vtkIndirectFullScreenProgram Program{ "vtkIndirectVirtualLightFS.glsl" };
-  vtkIndirectFullScreenProgram LobeProgram{ "vtkIndirectVirtualLobeFS.glsl" };
+  using vtkIndirectResource::vtkIndirectResource;
+  void ReleaseOwn(vtkWindow*) override { this->MapTime = 0; }
+
+  vtkIndirectPatternTexture Pattern{ this };
+  vtkIndirectSampleWarp Warp{ this };
+  vtkIndirectFullScreenProgram Program{ this, "vtkIndirectVirtualLightFS.glsl" };
+  vtkIndirectFullScreenProgram LobeProgram{ this, "vtkIndirectVirtualLobeFS.glsl" };
   vtkMTimeType MapTime = 0; // time of the maps that the lights were made from
 };
 
 vtkIndirectMapSampler::vtkIndirectMapSampler(vtkVirtualLightSampler* owner)
   : vtkIndirectSampler(owner)
-  , Internal(new Internals)
+  , Internal(new Internals(this))
 {
 }
 
 vtkIndirectMapSampler::~vtkIndirectMapSampler() = default;
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectMapSampler::GetBytes() const
-{
-  return this->vtkIndirectSampler::GetBytes() + this->Internal->Pattern.GetBytes() +
-    this->Internal->Warp.GetBytes();
-}
 
 //------------------------------------------------------------------------------
 bool vtkIndirectMapSampler::Update(const Input& input)
@@ -111,7 +107,7 @@ bool vtkIndirectMapSampler::Update(const Input& input)
   vtkIndirectTarget& table = this->BeginChange();
   if (sources.empty())
   {
-    this->ReleaseLobes(window);
+    this->RemoveLobes();
     in.MapTime = maps.GetContentTime();
     return true;
   }
@@ -157,7 +153,7 @@ bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   if (!input.Maps.HasSpecular())
   {
-    this->ReleaseLobes(window);
+    this->RemoveLobes();
     return true;
   }
   vtkIndirectTarget* lobes = this->MakeLobes(window);
@@ -177,14 +173,4 @@ bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
   }
   lobes->End();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectMapSampler::ReleaseOwn(vtkWindow* window)
-{
-  this->Internal->Pattern.Release(window);
-  this->Internal->Warp.Release(window);
-  this->Internal->Program.Release();
-  this->Internal->LobeProgram.Release();
-  this->Internal->MapTime = 0;
 }

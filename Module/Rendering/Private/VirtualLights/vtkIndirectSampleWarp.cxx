@@ -30,14 +30,13 @@ const vtkIndirectChannel SampleChannels[] = {
 constexpr float OneFace = 2.0f;
 }
 
-vtkIndirectSampleWarp::vtkIndirectSampleWarp()
-  : Even(NodeChannels, false)
-  , Odd(NodeChannels, false)
-  , Samples(SampleChannels, false)
+vtkIndirectSampleWarp::vtkIndirectSampleWarp(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Even(this, NodeChannels, false)
+  , Odd(this, NodeChannels, false)
+  , Samples(this, SampleChannels, false)
 {
 }
-
-vtkIndirectSampleWarp::~vtkIndirectSampleWarp() = default;
 
 //------------------------------------------------------------------------------
 // Makes a chart for each light; returns false, after an error, when OpenGL refuses.
@@ -71,17 +70,11 @@ bool vtkIndirectSampleWarp::UpdateCharts(
   const int count = maps.GetNumberOfMaps();
   this->Columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
   this->Rows = (count + this->Columns - 1) / this->Columns;
-  if (!this->ChartTexture || charts != this->Charts)
+  if (this->ChartTexture.IsEmpty() || charts != this->Charts)
   {
     this->Charts = charts;
-    if (!this->ChartTexture)
-    {
-      this->ChartTexture = vtkSmartPointer<vtkTextureObject>::New();
-    }
-    this->ChartTexture->SetContext(window);
-    this->ChartTexture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->ChartTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    if (!this->ChartTexture->Create2DFromRaw(count, 1, 4, VTK_FLOAT, this->Charts.data()))
+    if (!this->ChartTexture.Set(
+          window, vtkIndirectDataTexture::FLOATS, 4, { count, 1, 0 }, this->Charts.data()))
     {
       return false;
     }
@@ -102,8 +95,7 @@ bool vtkIndirectSampleWarp::UpdateCharts(
 //------------------------------------------------------------------------------
 void vtkIndirectSampleWarp::ActivateCharts(vtkShaderProgram* program) const
 {
-  this->ChartTexture->Activate();
-  program->SetUniformi("vtkiCharts", this->ChartTexture->GetTextureUnit());
+  this->ChartTexture.Activate(program, "vtkiCharts");
   program->SetUniformi("vtkiCells", this->Cells);
   program->SetUniformi("vtkiColumns", this->Columns);
   program->SetUniformi("vtkiNumberOfCharts", static_cast<int>(this->Charts.size() / 4));
@@ -144,7 +136,7 @@ bool vtkIndirectSampleWarp::SumNodes(
     "vtkiScale", static_cast<float>(this->Strongest > 0.0 ? 1.0 / this->Strongest : 1.0));
   program->SetUniformf("vtkiOcclusion", static_cast<float>(occlusion));
   this->ImportanceProgram.Draw();
-  this->ChartTexture->Deactivate();
+  this->ChartTexture.Deactivate();
   maps.Deactivate();
   this->Even.End();
   int below = 0;
@@ -205,7 +197,7 @@ bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window, const vtkIndirec
     this->WarpProgram.Draw();
     this->Odd.Deactivate();
     this->Even.Deactivate();
-    this->ChartTexture->Deactivate();
+    this->ChartTexture.Deactivate();
     maps.Deactivate();
     pattern.Deactivate();
   }
@@ -246,26 +238,8 @@ void vtkIndirectSampleWarp::Deactivate() const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSampleWarp::GetBytes() const
+void vtkIndirectSampleWarp::ReleaseOwn(vtkWindow*)
 {
-  return this->Even.GetBytes() + this->Odd.GetBytes() + this->Samples.GetBytes() +
-    this->Charts.size() * sizeof(float);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSampleWarp::Release(vtkWindow* window)
-{
-  this->Even.Release(window);
-  this->Odd.Release(window);
-  this->Samples.Release(window);
-  if (this->ChartTexture)
-  {
-    this->ChartTexture->ReleaseGraphicsResources(window);
-    this->ChartTexture = nullptr;
-  }
   this->Charts.clear();
-  this->ImportanceProgram.Release();
-  this->SumProgram.Release();
-  this->WarpProgram.Release();
   this->MapTime = 0;
 }

@@ -9,7 +9,9 @@
 #ifndef vtkIndirectSampleWarp_h
 #define vtkIndirectSampleWarp_h
 
+#include "OpenGL/vtkIndirectDataTexture.h"           // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
+#include "OpenGL/vtkIndirectResource.h"              // for the base class
 #include "OpenGL/vtkIndirectTarget.h"                // for members
 #include "VirtualLights/vtkIndirectMapSampler.h"     // for charts
 #include "VirtualLights/vtkIndirectPatternTexture.h" // for the pattern
@@ -19,11 +21,10 @@
 
 class vtkIndirectLightMaps;
 
-class vtkIndirectSampleWarp
+class vtkIndirectSampleWarp : public vtkIndirectResource
 {
 public:
-  vtkIndirectSampleWarp();
-  ~vtkIndirectSampleWarp();
+  explicit vtkIndirectSampleWarp(vtkIndirectResource* owner);
 
   /**
    * Largest number of cells along the edge of a chart: one texel represents several texels of
@@ -46,8 +47,9 @@ public:
 
   /** Cells along the edge of a chart, after Update. */
   int GetCells() const { return this->Cells; }
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   bool UpdateCharts(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps);
@@ -70,13 +72,13 @@ private:
   int Columns = 1; // columns of charts
   int Rows = 1;
   double Strongest = 1.0; // strength of the strongest light
-  vtkSmartPointer<vtkTextureObject> ChartTexture;
+  vtkIndirectDataTexture ChartTexture{ this };
   vtkIndirectTarget Even;
   vtkIndirectTarget Odd;
   vtkIndirectTarget Samples;
-  vtkIndirectFullScreenProgram ImportanceProgram{ "vtkIndirectImportanceFS.glsl" };
-  vtkIndirectFullScreenProgram SumProgram{ "vtkIndirectImportanceSumFS.glsl" };
-  vtkIndirectFullScreenProgram WarpProgram{ "vtkIndirectWarpFS.glsl" };
+  vtkIndirectFullScreenProgram ImportanceProgram{ this, "vtkIndirectImportanceFS.glsl" };
+  vtkIndirectFullScreenProgram SumProgram{ this, "vtkIndirectImportanceSumFS.glsl" };
+  vtkIndirectFullScreenProgram WarpProgram{ this, "vtkIndirectWarpFS.glsl" };
 };
 
 #endif

@@ -44,7 +44,6 @@ public:
   /** Grows when the inputs of the lights change, except their number. */
   size_t GetSourceTime() const { return this->SourceTime; }
   long long GetNumberOfFacesDrawn() const;
-  size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
 protected:
@@ -54,7 +53,7 @@ private:
   bool UpdateScene(const vtkIndirectFrame& frame);
   bool ReadSenders(const Input& input);
 
-  vtkIndirectLightMaps Maps;
+  vtkIndirectLightMaps Maps{ this };
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
   int NumberOfLights = 256;

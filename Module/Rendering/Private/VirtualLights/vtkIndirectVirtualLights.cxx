@@ -24,10 +24,11 @@ int CountRows(int lights)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectVirtualLights::vtkIndirectVirtualLights()
-  : Joined(vtkIndirectLightTable, false)
-  , JoinedBranches(vtkIndirectLightTable, false)
-  , JoinedLobes(vtkIndirectSenderLobeTable, false)
+vtkIndirectVirtualLights::vtkIndirectVirtualLights(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Joined(this, vtkIndirectLightTable, false)
+  , JoinedBranches(this, vtkIndirectLightTable, false)
+  , JoinedLobes(this, vtkIndirectSenderLobeTable, false)
 {
 }
 
@@ -306,13 +307,8 @@ void vtkIndirectVirtualLights::Copy(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVirtualLights::Release(vtkWindow* window)
+void vtkIndirectVirtualLights::ReleaseOwn(vtkWindow*)
 {
-  this->Joined.Release(window);
-  this->JoinedBranches.Release(window);
-  this->JoinedLobes.Release(window);
-  this->Program.Release();
-  this->LobeProgram.Release();
   this->JoinedTime = 0;
   this->Contents.clear();
   this->Current = nullptr;

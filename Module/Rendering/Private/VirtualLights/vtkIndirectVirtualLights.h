@@ -5,6 +5,7 @@
 #define vtkIndirectVirtualLights_h
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "VirtualLights/vtkIndirectSampler.h"    // for its input
 #include "vtkTimeStamp.h"                        // for a member
@@ -15,13 +16,13 @@
 
 class vtkImageData;
 
-class vtkIndirectVirtualLights
+class vtkIndirectVirtualLights : public vtkIndirectResource
 {
 public:
   using Input = vtkIndirectSampler::Input;
   using Samplers = std::vector<vtkIndirectSampler::Pointer>;
 
-  vtkIndirectVirtualLights();
+  explicit vtkIndirectVirtualLights(vtkIndirectResource* owner = nullptr);
 
   /**
    * Brings the samplers' lights up to date and joins them. The table of a single sampler is read
@@ -77,11 +78,8 @@ public:
   void CopyLobes(const vtkIndirectFrame& frame, vtkImageData* image) const;
 
   /** Returns the bytes of the joined tables of several samplers; samplers count their own. */
-  size_t GetBytes() const
-  {
-    return this->Joined.GetBytes() + this->JoinedBranches.GetBytes() + this->JoinedLobes.GetBytes();
-  }
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   static void Copy(
@@ -102,8 +100,8 @@ private:
   vtkIndirectTarget Joined;
   vtkIndirectTarget JoinedBranches;
   vtkIndirectTarget JoinedLobes;
-  vtkIndirectFullScreenProgram Program{ "vtkIndirectJoinLightsFS.glsl" };
-  vtkIndirectFullScreenProgram LobeProgram{ "vtkIndirectJoinLightsFS.glsl" };
+  vtkIndirectFullScreenProgram Program{ this, "vtkIndirectJoinLightsFS.glsl" };
+  vtkIndirectFullScreenProgram LobeProgram{ this, "vtkIndirectJoinLightsFS.glsl" };
   const vtkIndirectTarget* Current = nullptr;
   const vtkIndirectTarget* CurrentBranches = nullptr;
   const vtkIndirectTarget* CurrentLobes = nullptr;

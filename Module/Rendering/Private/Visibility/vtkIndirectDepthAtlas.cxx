@@ -45,7 +45,7 @@ constexpr size_t TrianglesOfBatch = 1 << 17;
 //------------------------------------------------------------------------------
 vtkIndirectDepthAtlas::vtkIndirectDepthAtlas(bool strips)
   : Strips(strips)
-  , Depths(NoChannels, true)
+  , Depths(this, NoChannels, true)
   , Camera(vtkSmartPointer<vtkOpenGLCamera>::New())
 {
 }
@@ -405,10 +405,8 @@ void vtkIndirectDepthAtlas::Deactivate() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::Release(vtkWindow* window)
+void vtkIndirectDepthAtlas::ReleaseOwn(vtkWindow*)
 {
-  this->Depths.Release(window);
-  this->Drawer.Release(window);
   this->Forget();
   this->Left.clear();
   this->NumberOfMissingTiles = this->NumberOfTilesTooMany = 0;

@@ -243,10 +243,11 @@ void FitDirectional(
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectPenumbra::vtkIndirectPenumbra(vtkIndirectDepthMaps& maps)
-  : DepthMaps(maps)
+vtkIndirectPenumbra::vtkIndirectPenumbra(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectResource(owner)
+  , DepthMaps(maps)
   , Atlas(maps.Get(vtkIndirectDepthMaps::PENUMBRAE))
-  , Tiles(Channels, false)
+  , Tiles(this, Channels, false)
 {
 }
 
@@ -377,11 +378,9 @@ void vtkIndirectPenumbra::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPenumbra::Release(vtkWindow* window)
+void vtkIndirectPenumbra::ReleaseOwn(vtkWindow* window)
 {
   this->DepthMaps.Release(vtkIndirectDepthMaps::PENUMBRAE, window);
-  this->Tiles.Release(window);
-  this->Kernel.Release();
   this->Lights.clear();
   this->Texels = 0;
 }

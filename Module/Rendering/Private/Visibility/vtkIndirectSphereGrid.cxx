@@ -26,9 +26,6 @@ constexpr size_t MostEntriesOfSphere = 64;
 constexpr float Slack = 1e-3f;
 }
 
-vtkIndirectSphereGrid::vtkIndirectSphereGrid() = default;
-vtkIndirectSphereGrid::~vtkIndirectSphereGrid() = default;
-
 //------------------------------------------------------------------------------
 void vtkIndirectSphereGrid::Clear()
 {
@@ -307,20 +304,7 @@ void vtkIndirectSphereGrid::Deactivate() const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSphereGrid::GetBytes() const
-{
-  return this->CellTexture.GetBytes() + this->ListTexture.GetBytes();
-}
-
-//------------------------------------------------------------------------------
 size_t vtkIndirectSphereGrid::GetMainMemoryBytes() const
 {
   return this->Cells.size() * sizeof(glm::uvec2) + this->Lists.size() * sizeof(glm::vec4);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSphereGrid::Release(vtkWindow* window)
-{
-  this->CellTexture.Release(window);
-  this->ListTexture.Release(window);
 }

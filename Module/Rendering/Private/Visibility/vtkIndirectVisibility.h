@@ -7,6 +7,7 @@
 
 #include "Frame/vtkIndirectEstimate.h"             // for the needs
 #include "OpenGL/vtkIndirectDataTexture.h"         // for a member
+#include "OpenGL/vtkIndirectResource.h"            // for the base class
 #include "Visibility/vtkIndirectBlockingSpheres.h" // for the input
 #include "Visibility/vtkIndirectDepthMaps.h"       // for depth maps
 #include "Visibility/vtkIndirectSphereGrid.h"      // for a member
@@ -24,11 +25,10 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkShaderProgram;
 class vtkSurfaceCapturePass;
-class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
 
-class vtkIndirectVisibility
+class vtkIndirectVisibility : public vtkIndirectResource
 {
 public:
   using Needs = vtkIndirectVisibilityNeeds;
@@ -49,8 +49,8 @@ public:
     return this->WalksSegments() ? this->GetMaximumNumberOfSegments() : MaximumNumberOfSenders;
   }
 
-  explicit vtkIndirectVisibility(vtkIndirectDepthMaps& maps);
-  ~vtkIndirectVisibility();
+  vtkIndirectVisibility(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
+  ~vtkIndirectVisibility() override;
 
   /** The data that visibility is made from. */
   struct Input
@@ -110,9 +110,10 @@ public:
   size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
 
   void AddToReport(vtkIndirectReport& report) const;
-  size_t GetBytes() const;
   size_t GetMainMemoryBytes() const;
-  void Release(vtkWindow* window);
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   void UpdateSpheres(const Input& input);
@@ -128,7 +129,7 @@ private:
   const vtkIndirectSurfaces* Surfaces = nullptr; // of this frame
   vtkMTimeType SurfacesTime = 0;
   size_t NumberOfUpdates = 0;
-  vtkIndirectSphereGrid Spheres;
+  vtkIndirectSphereGrid Spheres{ this };
   const vtkIndirectBlockingSpheres* Blocking = nullptr; // of this frame
   size_t SpheresTime = 0;                               // when the lists were made
   size_t NumberOfSphereUpdates = 0;
@@ -144,7 +145,7 @@ private:
   bool WithDirections = false;                   // some lights are directions
   // With fewer tiles than lights: the owner of the tile that each light looks up.
   bool Shares = false;
-  vtkIndirectDataTexture Owners;
+  vtkIndirectDataTexture Owners{ this };
 };
 
 #endif
