@@ -203,13 +203,12 @@ int SplatSum::DrawChannel(
   const std::string& name, const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer&)
 {
   vtkIndirectFullScreenProgram& view = this->OverdrawView;
-  vtkShaderProgram* program = name == Overdraw ? view.Use(frame.Window) : nullptr;
+  vtkIndirectProgram program = name == Overdraw ? view.Use(frame.Window) : nullptr;
   if (!program)
   {
     return 0;
   }
   this->Irradiance->Activate(0, program);
   view.Draw();
-  this->Irradiance->Deactivate();
   return 3;
 }

@@ -63,7 +63,7 @@ protected:
   void ReleaseOwn(vtkWindow* window) override { this->AllTexels->Release(window); }
 
 private:
-  void SetUniforms(vtkShaderProgram* program, const Input& input, bool neighborhood);
+  void SetUniforms(const vtkIndirectProgram& program, const Input& input, bool neighborhood);
   bool Sum(const Input& input);
 
   const vtkRSMGatherPass& Set;
@@ -101,7 +101,8 @@ void GatherSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan*
 }
 
 //------------------------------------------------------------------------------
-void GatherSum::SetUniforms(vtkShaderProgram* program, const Input& input, bool neighborhood)
+void GatherSum::SetUniforms(
+  const vtkIndirectProgram& program, const Input& input, bool neighborhood)
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
@@ -228,20 +229,6 @@ bool GatherSum::Sum(const Input& input)
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
 
-  auto releaseTextures = [&]()
-  {
-    input.Geometry.GetTarget().Deactivate();
-    input.Visibility.Deactivate();
-    if (neighborhood)
-    {
-      input.Maps.Deactivate();
-    }
-    else
-    {
-      input.Lights->Deactivate();
-    }
-  };
-
   const std::string definitions = std::string(input.Visibility.GetDefinitions()) +
     (neighborhood ? "" : input.Lights->GetDefinitions());
   this->Gather[neighborhood].SetDefinitions(definitions);
@@ -250,7 +237,7 @@ bool GatherSum::Sum(const Input& input)
   // Sums at coarse samples, or at every pixel.
   timer.Begin(vtkIndirectStageTimer::Estimate);
   vtkIndirectTarget& sums = interpolate ? this->Coarse : *this->Irradiance;
-  vtkShaderProgram* program = this->Gather[neighborhood].Use(frame.Window);
+  vtkIndirectProgram program = this->Gather[neighborhood].Use(frame.Window);
   if (!program)
   {
     return false;
@@ -279,7 +266,6 @@ bool GatherSum::Sum(const Input& input)
   }
   state->vtkglDisable(GL_BLEND);
   sums.End();
-  releaseTextures();
   if (this->HasGlossy &&
     !this->GlossyGather.Sum(input, *this->Glossy, 1.0,
       { this->Set.GetNumberOfSamples(), this->Set.GetNeighborhoodRadius() }))
@@ -316,9 +302,7 @@ bool GatherSum::Sum(const Input& input)
     program->SetUniform2i("vtkiLightRows", all);
   }
   this->Upsample[neighborhood].Draw();
-  this->Coarse.Deactivate();
   this->Irradiance->End();
-  releaseTextures();
   timer.End(vtkIndirectStageTimer::Upsample);
   return addLobes();
 }

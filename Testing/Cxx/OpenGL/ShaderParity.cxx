@@ -111,7 +111,7 @@ std::vector<float> RunOnGPU(Scene& scene, vtkIndirectFullScreenProgram& kernel,
   vtkIndirectTarget& target, vtkTextureObject* texture, int number)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(scene.Window);
-  vtkShaderProgram* program = kernel.Use(window);
+  const vtkIndirectProgram program = kernel.Use(window);
   if (!Check("the test's stage links", program != nullptr))
   {
     return {};

@@ -226,7 +226,7 @@ bool vtkIndirectGeometryBuffer::Clear(vtkOpenGLRenderWindow* window, bool backgr
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectGeometryBuffer::ActivateAlbedo(vtkShaderProgram* program) const
+void vtkIndirectGeometryBuffer::ActivateAlbedo(const vtkIndirectProgram& program) const
 {
   this->Target->Activate(Lit, program);
   if (!this->HasAlbedoInLit())

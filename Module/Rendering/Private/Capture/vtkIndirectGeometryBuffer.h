@@ -28,7 +28,7 @@ class vtkIndirectFullScreenProgram;
 class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
 class vtkRenderState;
-class vtkShaderProgram;
+class vtkIndirectProgram;
 class vtkSurfaceCapturePass;
 
 class vtkIndirectGeometryBuffer
@@ -69,7 +69,7 @@ public:
   {
     return this->HasAlbedoInLit() ? "#define VTKI_ALBEDO_IN_ALPHA\n" : "";
   }
-  void ActivateAlbedo(vtkShaderProgram* program) const;
+  void ActivateAlbedo(const vtkIndirectProgram& program) const;
   /** True if the buffer may hold encoded colours. */
   bool HasEncoded() const { return this->Encoded; }
   /** True if the last frame has the channel Specular. */

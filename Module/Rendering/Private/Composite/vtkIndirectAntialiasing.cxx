@@ -92,7 +92,7 @@ struct vtkIndirectAntialiasing::Internals : vtkIndirectResource
 
   // Sets the uniforms of a program that draws one point for each tile.
   void SetTileUniforms(
-    vtkShaderProgram* program, const vtkIndirectFrame& frame, const int origin[2])
+    const vtkIndirectProgram& program, const vtkIndirectFrame& frame, const int origin[2])
   {
     this->Tiles.Activate(0, program);
     program->SetUniform2i("vtkiTileCount", this->TileCount);
@@ -191,7 +191,7 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   vtkOpenGLState::ScopedglScissor scissor(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkShaderProgram* program = this->FindContrasts.Use(frame.Window, this->Definitions);
+  vtkIndirectProgram program = this->FindContrasts.Use(frame.Window, this->Definitions);
   if (!program)
   {
     return false;
@@ -200,7 +200,6 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   this->Picture->Activate(0, program);
   program->SetUniform2i("vtkiSize", frame.Size);
   this->FindContrasts.Draw();
-  this->Picture->Deactivate();
   this->Contrasts.End();
   program = this->FindContrastTiles.Use(frame.Window);
   if (!program)
@@ -212,7 +211,6 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   program->SetUniform2i("vtkiSize", frame.Size);
   program->SetUniformi("vtkiTile", Tile);
   this->FindContrastTiles.Draw();
-  this->Contrasts.Deactivate();
   this->Tiles.End();
   program = this->KeepOutlines.Use(frame.Window, "");
   if (!program)
@@ -229,8 +227,6 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   const int origin[2] = { 0, 0 };
   this->SetTileUniforms(program, frame, origin);
   this->KeepOutlines.Draw(this->TileCount[0] * this->TileCount[1], Tile);
-  this->Tiles.Deactivate();
-  geometry.GetTarget().Deactivate();
   this->Contrasts.End();
   return true;
 }
@@ -240,7 +236,7 @@ bool vtkIndirectAntialiasing::Internals::FindEdgeWords(const vtkIndirectFrame& f
 {
   vtkOpenGLState::ScopedglScissor scissor(frame.Window->GetState());
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkShaderProgram* program = this->FindEdges.Use(frame.Window);
+  vtkIndirectProgram program = this->FindEdges.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -250,7 +246,6 @@ bool vtkIndirectAntialiasing::Internals::FindEdgeWords(const vtkIndirectFrame& f
   program->SetUniform2i("vtkiSize", frame.Size);
   program->SetUniformi("vtkiRows", this->Rows);
   this->FindEdges.Draw();
-  this->Contrasts.Deactivate();
   this->Edges.End();
   program = this->FindTiles.Use(frame.Window);
   if (!program)
@@ -262,7 +257,6 @@ bool vtkIndirectAntialiasing::Internals::FindEdgeWords(const vtkIndirectFrame& f
   program->SetUniformi("vtkiRows", this->Rows);
   program->SetUniformi("vtkiTile", Tile);
   this->FindTiles.Draw();
-  this->Edges.Deactivate();
   this->Tiles.End();
   return true;
 }
@@ -274,7 +268,7 @@ bool vtkIndirectAntialiasing::Internals::BlendEdges(
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkShaderProgram* program = this->Blend.Use(frame.Window, this->Definitions);
+  vtkIndirectProgram program = this->Blend.Use(frame.Window, this->Definitions);
   if (!program)
   {
     return false;
@@ -290,9 +284,5 @@ bool vtkIndirectAntialiasing::Internals::BlendEdges(
   this->Edges.Activate(0, program);
   this->SetTileUniforms(program, frame, frame.Origin);
   this->Blend.Draw(this->TileCount[0] * this->TileCount[1], Tile);
-  this->Tiles.Deactivate();
-  geometry.GetTarget().Deactivate();
-  this->Edges.Deactivate();
-  this->Picture->Deactivate();
   return true;
 }

@@ -91,7 +91,7 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
   }
 
   // The program depends on the form of the irradiance.
-  static vtkShaderProgram* Use(
+  static vtkIndirectProgram Use(
     vtkIndirectFullScreenProgram& kernel, const Input& input, const std::string& definitions)
   {
     kernel.SetGather(!input.Estimate ? "vtkIndirectIrradianceNone.glsl"
@@ -106,7 +106,7 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
     return kernel.Use(input.Frame.Window);
   }
 
-  static void ActivateFrame(vtkShaderProgram* program, const Input& input)
+  static void ActivateFrame(const vtkIndirectProgram& program, const Input& input)
   {
     const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
     const vtkIndirectEstimate* const estimate = input.Estimate;
@@ -147,31 +147,6 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
     vtkIndirectSetUniform(program, "vtkiGreatest", glm::vec3(input.Greatest));
     program->SetUniformf(
       "vtkiIrradianceUnit", estimate ? static_cast<float>(estimate->Unit) : 0.0f);
-  }
-
-  static void DeactivateFrame(const Input& input)
-  {
-    input.Geometry.GetTarget().Deactivate();
-    for (const vtkIndirectTarget* direct :
-      { input.Sky, input.SkyBounce, input.Area, input.AreaGlossy })
-    {
-      if (direct)
-      {
-        direct->Deactivate();
-      }
-    }
-    if (!input.Estimate)
-    {
-      return;
-    }
-    for (const vtkIndirectTarget* target : std::initializer_list<const vtkIndirectTarget*>{
-           input.Estimate->Irradiance, input.Estimate->Coarse, input.Estimate->Glossy })
-    {
-      if (target)
-      {
-        target->Deactivate();
-      }
-    }
   }
 };
 
@@ -280,7 +255,7 @@ bool vtkIndirectComposite::Composite(const Input& input)
       vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Depth) ==
         vtkIndirectBackEndChoices::DepthByCopy &&
       input.Geometry.GetTarget().CopyDepth(frame.Origin));
-  vtkShaderProgram* program = Internals::Use(kernel, input,
+  vtkIndirectProgram program = Internals::Use(kernel, input,
     std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
       (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));
   if (!program)
@@ -308,7 +283,6 @@ bool vtkIndirectComposite::Composite(const Input& input)
   }
   program->SetUniform2i("vtkiOrigin", frame.Origin);
   kernel.Draw();
-  Internals::DeactivateFrame(input);
   return true;
 }
 
@@ -341,7 +315,7 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
   {
     return false;
   }
-  vtkShaderProgram* program = ofMap ? kernel.Use(frame.Window) : Internals::Use(kernel, input, "");
+  vtkIndirectProgram program = ofMap ? kernel.Use(frame.Window) : Internals::Use(kernel, input, "");
   if (!program)
   {
     return false;
@@ -355,7 +329,6 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
     program->SetUniformi("vtkiFirstLayer", lightMap.FirstLayer);
     program->SetUniformi("vtkiChannel", MapChannels[mapChannel].Number);
     kernel.Draw();
-    input.Maps->Deactivate();
     in.Channel = &MapChannels[mapChannel];
     in.Farthest = lightMap.Far / frame.SceneScale;
   }
@@ -368,7 +341,6 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
     vtkIndirectSetUniform(
       program, "vtkiViewToWorldDirection", glm::mat3(glm::inverse(glm::dmat3(frame.WorldToView))));
     kernel.Draw();
-    Internals::DeactivateFrame(input);
     in.Channel = &FrameChannels[channel];
     in.Farthest = frame.Far / frame.SceneScale;
   }
@@ -422,7 +394,7 @@ bool vtkIndirectComposite::ShowImage(const Input& input)
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkShaderProgram* program = in.Display.Use(frame.Window);
+  vtkIndirectProgram program = in.Display.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -436,6 +408,5 @@ bool vtkIndirectComposite::ShowImage(const Input& input)
   vtkIndirectSetUniform(program, "vtkiScaleBias",
     glm::vec2(isLength ? 1.0 / in.Farthest : in.Channel->Scale, in.Channel->Bias));
   in.Display.Draw();
-  in.Image.Deactivate();
   return true;
 }

@@ -23,7 +23,7 @@ public:
   /** Takes `count` lamps from `first` on. Without maps the lamps have no points. */
   void Update(vtkOpenGLRenderWindow* window, const vtkIndirectAreaLamps& lamps, size_t first,
     size_t count, const vtkIndirectAreaMaps* maps);
-  void Activate(vtkShaderProgram* program) const { this->Block.Activate(program); }
+  void Activate(const vtkIndirectProgram& program) const { this->Block.Activate(program); }
 
 private:
   size_t Lamps;

@@ -218,7 +218,7 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   for (const auto& lamp : this->Lamps.Get())
   {
-    vtkShaderProgram* program = this->Kernel.Use(frame.Window);
+    vtkIndirectProgram program = this->Kernel.Use(frame.Window);
     done = program != nullptr;
     if (!done)
     {
@@ -228,7 +228,6 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
     vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp->Radiance));
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
     this->Kernel.Draw();
-    input.Geometry.GetTarget().Deactivate();
   }
   state->vtkglDisable(GL_BLEND);
   target.End();

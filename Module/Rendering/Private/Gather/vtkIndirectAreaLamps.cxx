@@ -181,8 +181,8 @@ bool vtkIndirectAreaLamps::Update(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaLamps::SetUniforms(
-  vtkShaderProgram* program, const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp)
+void vtkIndirectAreaLamps::SetUniforms(const vtkIndirectProgram& program,
+  const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp)
 {
   vtkIndirectSetEyeUniforms(program, frame);
   program->SetUniform2i("vtkiSize", frame.Size);

@@ -17,7 +17,6 @@
 #include <memory>      // for lamps
 #include <vector>      // for lists
 
-class vtkShaderProgram;
 struct vtkIndirectFrame;
 
 class vtkIndirectAreaLamps : public vtkIndirectResource
@@ -55,8 +54,8 @@ public:
     const vtkIndirectFrame& frame, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
   const List& Get() const { return this->Lamps; }
   /** Sets the uniforms of the eye and of a lamp's place. */
-  static void SetUniforms(
-    vtkShaderProgram* program, const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp);
+  static void SetUniforms(const vtkIndirectProgram& program, const vtkIndirectFrame& frame,
+    const vtkIndirectRectangle& lamp);
 
   /** Returns the number of points of each lamp in a round. */
   int GetNumberOfPoints() const;

@@ -72,7 +72,8 @@ bool vtkIndirectAreaLobes::UpdateTables(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaLobes::SetPoints(const Input& input, vtkShaderProgram* program, size_t number)
+void vtkIndirectAreaLobes::SetPoints(
+  const Input& input, const vtkIndirectProgram& program, size_t number)
 {
   const Lamp& lamp = *input.Lamps.Get()[number];
   const vtkIndirectAreaMaps& maps = *input.Maps;
@@ -108,7 +109,7 @@ bool vtkIndirectAreaLobes::AddLamp(const Input& input, size_t number)
   const Lamp& lamp = *input.Lamps.Get()[number];
   const vtkIndirectFrame& frame = input.Frame;
   const bool image = lamp.Row >= 0;
-  vtkShaderProgram* program = this->Kernels[image].Use(frame.Window,
+  vtkIndirectProgram program = this->Kernels[image].Use(frame.Window,
     "#define VTKI_AREA_POINTS " + std::to_string(MostPoints) + "\n" +
       (input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
       (frame.PhysicallyBased ? "#define VTKI_LOBE_TABLE\n" : "") +
@@ -145,19 +146,6 @@ bool vtkIndirectAreaLobes::AddLamp(const Input& input, size_t number)
     input.Maps->GetAtlas().Activate(program);
   }
   this->Kernels[image].Draw();
-  if (input.Maps)
-  {
-    input.Maps->GetAtlas().Deactivate();
-  }
-  if (image)
-  {
-    input.Lamps.GetTexture().Deactivate();
-  }
-  if (frame.PhysicallyBased)
-  {
-    this->Tables.Deactivate();
-  }
-  geometry.Deactivate();
   return true;
 }
 

@@ -40,7 +40,7 @@ private:
 
   bool UpdateTables(const Input& input);
   bool AddLamp(const Input& input, size_t number);
-  void SetPoints(const Input& input, vtkShaderProgram* program, size_t number);
+  void SetPoints(const Input& input, const vtkIndirectProgram& program, size_t number);
 
   vtkIndirectUniformBlock Block{ this, "vtkiAreaLobeBlock" };
   vtkIndirectFullScreenProgram Kernels[2]; // for one radiance, for images

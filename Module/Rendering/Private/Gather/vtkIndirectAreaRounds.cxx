@@ -52,7 +52,7 @@ bool vtkIndirectAreaRounds::Add(const Input& input, const vtkIndirectAreaMaps& m
   bool done = true;
   for (size_t i = 0; done && i < input.Lamps.Get().size(); ++i)
   {
-    vtkShaderProgram* program = this->ShareKernel.Use(frame.Window, this->Block.GetDefinitions());
+    vtkIndirectProgram program = this->ShareKernel.Use(frame.Window, this->Block.GetDefinitions());
     done = program != nullptr;
     if (done)
     {
@@ -65,8 +65,6 @@ bool vtkIndirectAreaRounds::Add(const Input& input, const vtkIndirectAreaMaps& m
       input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
       maps.GetAtlas().Activate(program);
       this->ShareKernel.Draw();
-      maps.GetAtlas().Deactivate();
-      input.Geometry.GetTarget().Deactivate();
     }
   }
   state->vtkglDisable(GL_BLEND);
@@ -104,15 +102,13 @@ bool vtkIndirectAreaRounds::Continue(const Input& input)
 bool vtkIndirectAreaRounds::Multiply(const vtkIndirectFrame& frame, vtkIndirectTarget& irradiance)
 {
   irradiance.Begin();
-  vtkShaderProgram* program = this->ProductKernel.Use(frame.Window);
+  vtkIndirectProgram program = this->ProductKernel.Use(frame.Window);
   if (program)
   {
     this->Open.Activate(0, program);
     this->Sums.Activate(0, program);
     this->Sums.Activate(1, program);
     this->ProductKernel.Draw();
-    this->Sums.Deactivate();
-    this->Open.Deactivate();
   }
   irradiance.End();
   return program != nullptr;

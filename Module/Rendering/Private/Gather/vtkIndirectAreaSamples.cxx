@@ -45,10 +45,10 @@ vtkIndirectAreaSamples::vtkIndirectAreaSamples(vtkIndirectResource* owner)
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectAreaSamples::Use(
+vtkIndirectProgram vtkIndirectAreaSamples::Use(
   const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel, int step)
 {
-  vtkShaderProgram* program = kernel.Use(input.Frame.Window,
+  vtkIndirectProgram program = kernel.Use(input.Frame.Window,
     std::string(input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
       (batch.Images > 0 ? "#define VTKI_AREA_IMAGE\n" : "") + this->Block.GetDefinitions() +
       "#define VTKI_AREA_DISTANCES " + std::to_string(input.Distances) + ".0f\n" +
@@ -75,20 +75,6 @@ vtkShaderProgram* vtkIndirectAreaSamples::Use(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaSamples::Deactivate(const Input& input, const Batch& batch)
-{
-  input.Geometry.GetTarget().Deactivate();
-  if (input.Maps)
-  {
-    input.Maps->GetAtlas().Deactivate();
-  }
-  if (batch.Images > 0)
-  {
-    input.Lamps.GetTexture().Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectAreaSamples::FindOpen(const Input& input, const Batch& batch)
 {
   this->Open.Begin();
@@ -97,7 +83,6 @@ bool vtkIndirectAreaSamples::FindOpen(const Input& input, const Batch& batch)
   {
     this->OpenKernel.Draw();
   }
-  this->Deactivate(input, batch);
   this->Open.End();
   return done;
 }
@@ -106,14 +91,12 @@ bool vtkIndirectAreaSamples::FindOpen(const Input& input, const Batch& batch)
 bool vtkIndirectAreaSamples::FindSamples(const Input& input, const Batch& batch)
 {
   this->Samples.Begin();
-  vtkShaderProgram* program = this->Use(input, batch, this->SampleKernel, OpenStep);
+  vtkIndirectProgram program = this->Use(input, batch, this->SampleKernel, OpenStep);
   if (program)
   {
     this->Open.ActivateAll(program);
     this->SampleKernel.Draw();
-    this->Open.Deactivate();
   }
-  this->Deactivate(input, batch);
   this->Samples.End();
   return program != nullptr;
 }
@@ -123,7 +106,7 @@ bool vtkIndirectAreaSamples::Interpolate(
   const Input& input, const Batch& batch, vtkIndirectTarget& irradiance)
 {
   irradiance.Begin();
-  vtkShaderProgram* program = this->Use(input, batch, this->SumKernel, SampleStep);
+  vtkIndirectProgram program = this->Use(input, batch, this->SumKernel, SampleStep);
   if (program)
   {
     this->Samples.ActivateAll(program);
@@ -136,9 +119,7 @@ bool vtkIndirectAreaSamples::Interpolate(
     }
     this->SumKernel.Draw();
     state->vtkglDisable(GL_BLEND);
-    this->Samples.Deactivate();
   }
-  this->Deactivate(input, batch);
   irradiance.End();
   return program != nullptr;
 }

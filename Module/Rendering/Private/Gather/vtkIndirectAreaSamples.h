@@ -19,7 +19,6 @@
 
 class vtkIndirectAreaMaps;
 class vtkIndirectGeometryBuffer;
-class vtkShaderProgram;
 
 class vtkIndirectAreaSamples : public vtkIndirectResource
 {
@@ -59,9 +58,8 @@ private:
     int Images;
   };
 
-  vtkShaderProgram* Use(
+  vtkIndirectProgram Use(
     const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel, int step);
-  void Deactivate(const Input& input, const Batch& batch);
   bool FindOpen(const Input& input, const Batch& batch);
   bool FindSamples(const Input& input, const Batch& batch);
   bool Interpolate(const Input& input, const Batch& batch, vtkIndirectTarget& irradiance);

@@ -106,7 +106,7 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
 {
   const vtkIndirectFrame& frame = input.Frame;
   const vtkIndirectVirtualLights& lights = *input.Lights;
-  vtkShaderProgram* program = kernel.Use(
+  vtkIndirectProgram program = kernel.Use(
     frame.Window, definitions + input.Visibility.GetDefinitions() + lights.GetDefinitions());
   if (!program)
   {
@@ -151,13 +151,5 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
   }
   state->vtkglDisable(GL_BLEND);
   target.End();
-  if (interpolates)
-  {
-    this->Coarse.Deactivate();
-  }
-  geometry.Deactivate();
-  input.Visibility.Deactivate();
-  lights.DeactivateLobes();
-  lights.Deactivate();
   return true;
 }

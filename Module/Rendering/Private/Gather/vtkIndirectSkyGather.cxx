@@ -237,7 +237,7 @@ std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkyGather::SetBlock(const Input& input, vtkShaderProgram* program,
+void vtkIndirectSkyGather::SetBlock(const Input& input, const vtkIndirectProgram& program,
   const Group& group, const Terms& terms, size_t first, size_t size)
 {
   const std::vector<glm::vec4> block = this->MakeBlock(group, terms, first, size);
@@ -334,7 +334,7 @@ std::string vtkIndirectSkyGather::GetDefinitions(int block, int step) const
 
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::Activate(
-  const Input& input, const Group* group, vtkShaderProgram* program)
+  const Input& input, const Group* group, const vtkIndirectProgram& program)
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
@@ -342,16 +342,6 @@ void vtkIndirectSkyGather::Activate(
   if (group && this->Visible)
   {
     group->Atlas.Activate(program);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSkyGather::Deactivate(const Input& input, const Group* group)
-{
-  input.Geometry.GetTarget().Deactivate();
-  if (group && this->Visible)
-  {
-    group->Atlas.Deactivate();
   }
 }
 
@@ -380,7 +370,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   vtkIndirectFullScreenProgram& kernel = this->SumKernels[step > 1];
   kernel.SetDefinitions(
     this->GetDefinitions(SumBlock, step) + (step > 1 ? "" : "#define VTKI_SKY_PIXELS 4\n"));
-  vtkShaderProgram* program = kernel.Use(input.Frame.Window);
+  vtkIndirectProgram program = kernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -410,7 +400,6 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
       glFlush();
     }
   }
-  this->Deactivate(input, &group);
   state->vtkglDisable(GL_BLEND);
   sums.End();
   return true;
@@ -424,7 +413,7 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
   this->RowKernel.SetDefinitions(
     "#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n");
-  vtkShaderProgram* program = this->RowKernel.Use(input.Frame.Window);
+  vtkIndirectProgram program = this->RowKernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -434,8 +423,6 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
   sums.Activate(0, program);
   program->SetUniform2i("vtkiSkyPart", part);
   this->RowKernel.Draw();
-  sums.Deactivate();
-  this->Deactivate(input, nullptr);
   this->Rows.End();
   return true;
 }
@@ -448,7 +435,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
   kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
-  vtkShaderProgram* program = kernel.Use(input.Frame.Window);
+  vtkIndirectProgram program = kernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -469,9 +456,6 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
     this->SetBlock(input, program, *group, terms, 0, OwnBlock);
   }
   kernel.Draw();
-  this->OpenSky.Deactivate();
-  sums.Deactivate();
-  this->Deactivate(input, group);
   this->Irradiance.End();
   return true;
 }
@@ -482,7 +466,7 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
   const Group& group = this->Groups[Strong];
   const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
   this->StrongKernel.SetDefinitions(this->GetDefinitions(SumBlock, 1) + "#define VTKI_FILTERED\n");
-  vtkShaderProgram* program = this->StrongKernel.Use(input.Frame.Window);
+  vtkIndirectProgram program = this->StrongKernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -493,7 +477,6 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
   // There are at most 32 strong directions.
   this->SetBlock(input, program, group, terms, 0, SumBlock);
   this->StrongKernel.Draw();
-  this->Deactivate(input, &group);
   this->Irradiance.End();
   return true;
 }

@@ -33,7 +33,6 @@
 #include <string>      // for definitions
 #include <vector>      // for lists
 
-class vtkShaderProgram;
 struct vtkIndirectFrame;
 
 class vtkIndirectSkyGather : public vtkIndirectFrameLight
@@ -85,13 +84,12 @@ private:
   Terms MakeTerms(const std::vector<Summand>& summands, bool strong) const;
   std::vector<glm::vec4> MakeBlock(
     const Group& group, const Terms& terms, size_t first, size_t size) const;
-  void SetBlock(const Input& input, vtkShaderProgram* program, const Group& group,
+  void SetBlock(const Input& input, const vtkIndirectProgram& program, const Group& group,
     const Terms& terms, size_t first, size_t size);
   bool UpdateOpenSky(const Input& input);
   bool SumAll(const Input& input);
   std::string GetDefinitions(int block, int step) const;
-  void Activate(const Input& input, const Group* group, vtkShaderProgram* program);
-  void Deactivate(const Input& input, const Group* group);
+  void Activate(const Input& input, const Group* group, const vtkIndirectProgram& program);
   bool SumOthers(const Input& input);
   bool FilterRows(const Input& input);
   bool FilterColumns(const Input& input);

@@ -342,7 +342,7 @@ void vtkIndirectLightMaps::UpdateFresnel(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLightMaps::Activate(vtkShaderProgram* program) const
+void vtkIndirectLightMaps::Activate(const vtkIndirectProgram& program) const
 {
   for (int i = 0; i < this->Target.GetNumberOfChannels(); ++i)
   {
@@ -372,15 +372,6 @@ vtkIndirectShadowMaps vtkIndirectLightMaps::ActivateShadows(vtkOpenGLRenderWindo
   this->Target.Deactivate();
   shadows.Unit = updated ? this->Rows.Activate() : -1;
   return shadows;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectLightMaps::Deactivate() const
-{
-  this->Target.Deactivate();
-  this->Rows.Deactivate();
-  this->TableTexture.Deactivate();
-  this->FresnelTexture.Deactivate();
 }
 
 //------------------------------------------------------------------------------

@@ -23,7 +23,6 @@
 class vtkIndirectContextGuard;
 class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
-class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 struct vtkIndirectCaster;
 struct vtkIndirectFrame;
@@ -70,11 +69,13 @@ public:
   /** Grows whenever the content of a map, or the table below, changes. */
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
 
-  /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
-  void Activate(vtkShaderProgram* program) const;
-  /** Binds the depth array for shadow look-ups; pair with Deactivate. */
+  /** Binds the maps and their table for vtkIndirectMapTexel.glsl. */
+  void Activate(const vtkIndirectProgram& program) const;
+  ///@{
+  /** Bind the depths for shadow look-ups; pair. */
   vtkIndirectShadowMaps ActivateShadows(vtkOpenGLRenderWindow* window);
-  void Deactivate() const;
+  void DeactivateShadows() const { this->Rows.Deactivate(); }
+  ///@}
 
   /** Adds the maps and their memory to the report. */
   void AddToReport(vtkIndirectReport& report) const;

@@ -50,7 +50,7 @@ bool vtkIndirectShadowRows::Update(
   vtkOpenGLState* state = window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
   vtkIndirectFullScreenState kernelState(window);
-  vtkShaderProgram* program = this->Kernel.Use(window);
+  vtkIndirectProgram program = this->Kernel.Use(window);
   if (!program)
   {
     return false;

@@ -54,7 +54,7 @@ void vtkIndirectGlossyLists::Begin(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectGlossyLists::Activate(vtkShaderProgram* program) const
+void vtkIndirectGlossyLists::Activate(const vtkIndirectProgram& program) const
 {
   this->Buffer.Activate(program, "vtkiGlossyLists");
   program->SetUniformi("vtkiGlossyWords", this->Words);

@@ -12,7 +12,6 @@
 #include <vector>  // for the lists
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectGlossyLists : public vtkIndirectResource
 {
@@ -27,10 +26,9 @@ public:
     vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities, int numberOfLights);
 
   /** Binds the buffer to a program. */
-  void Activate(vtkShaderProgram* program) const;
+  void Activate(const vtkIndirectProgram& program) const;
   /** Begin of a list in the buffer, in words. */
   int GetFirst(size_t list) const { return static_cast<int>(this->First[list]); }
-  void Deactivate() const { this->Buffer.Deactivate(); }
 
   /** The lists, for programs that run for their entries. */
   const vtkIndirectCommandBuffer& GetBuffer() const { return this->Buffer; }

@@ -123,7 +123,7 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
     const bool pixels = number == 1;
     vtkIndirectFullScreenProgram& kernel = pixels ? this->LobeOfPixels : this->Lobe;
     vtkIndirectTarget& target = *this->Lobes[number - 1];
-    vtkShaderProgram* program = kernel.Use(frame.Window);
+    vtkIndirectProgram program = kernel.Use(frame.Window);
     if (!program)
     {
       return false;
@@ -143,8 +143,6 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
       finer.Activate(0, program, "vtkiFinerLobe");
     }
     kernel.Draw();
-    work.Pyramid.GetSurface(number).Deactivate();
-    finer.Deactivate();
     target.End();
   }
   return true;
@@ -153,7 +151,7 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
 //------------------------------------------------------------------------------
 bool vtkIndirectGlossySubsplats::ListFirst(const Work& work)
 {
-  vtkShaderProgram* program = this->First.Use(work.In.Frame.Window);
+  vtkIndirectProgram program = this->First.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -168,14 +166,12 @@ bool vtkIndirectGlossySubsplats::ListFirst(const Work& work)
   program->SetUniformi("vtkiSplitList", static_cast<int>(SplitList(last)));
   program->SetUniformi("vtkiSplitFirst", this->Lists.GetFirst(SplitList(last)));
   this->First.Run(lobe.GetWidth(), lobe.GetHeight(), 8);
-  this->Lists.Deactivate();
-  lobe.Deactivate();
   return true;
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectGlossySubsplats::SetLevelUniforms(
-  vtkShaderProgram* program, const Work& work, size_t number) const
+  const vtkIndirectProgram& program, const Work& work, size_t number) const
 {
   const Settings& settings = work.Set;
   const vtkIndirectTarget& coarser = *this->Levels[number];
@@ -202,7 +198,7 @@ void vtkIndirectGlossySubsplats::SetLevelUniforms(
 
 //------------------------------------------------------------------------------
 void vtkIndirectGlossySubsplats::ActivateLevel(
-  vtkShaderProgram* program, const Work& work, size_t number) const
+  const vtkIndirectProgram& program, const Work& work, size_t number) const
 {
   const vtkIndirectTarget& geometry = work.In.Geometry.GetTarget();
   work.Pyramid.GetSurface(number + 1).Activate(0, program, "vtkiCoarserSurface");
@@ -220,28 +216,12 @@ void vtkIndirectGlossySubsplats::ActivateLevel(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectGlossySubsplats::DeactivateLevel(const Work& work, size_t number) const
-{
-  work.Pyramid.GetSurface(number + 1).Deactivate();
-  this->Lobes[number]->Deactivate();
-  if (number == 0)
-  {
-    work.In.Geometry.GetTarget().Deactivate();
-  }
-  else
-  {
-    work.Pyramid.GetSurface(number).Deactivate();
-    this->Lobes[number - 1]->Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectGlossySubsplats::Interpolate(
   const Work& work, size_t number, vtkIndirectTarget& target)
 {
   this->UpsamplePixels.SetDefinitions("#define VTKI_PIXELS\n");
   vtkIndirectFullScreenProgram& kernel = number == 0 ? this->UpsamplePixels : this->Upsample;
-  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window);
+  vtkIndirectProgram program = kernel.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -251,8 +231,6 @@ bool vtkIndirectGlossySubsplats::Interpolate(
   this->ActivateLevel(program, work, number);
   this->Levels[number]->Activate(0, program);
   kernel.Draw();
-  this->Levels[number]->Deactivate();
-  this->DeactivateLevel(work, number);
   target.End();
   return true;
 }
@@ -273,7 +251,7 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   definitions += count > work.Lights.GetCapacity(window) ? "#define VTKI_MORE_LIGHTS\n" : "";
   vtkIndirectComputeProgram& kernel = this->Sums[2 * pixels + whole];
   kernel.SetDefinitions(definitions);
-  vtkShaderProgram* program = kernel.Use(window);
+  vtkIndirectProgram program = kernel.Use(window);
   if (!program)
   {
     return false;
@@ -305,11 +283,6 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   kernel.AddImages(target);
   program->SetUniformi("vtkiGlossyImage", 0);
   kernel.Run(this->Lists.GetBuffer(), list);
-  this->Lists.Deactivate();
-  work.Irradiance.Deactivate();
-  this->DeactivateLevel(work, number);
-  work.In.Visibility.Deactivate();
-  work.Lights.Deactivate();
   return true;
 }
 

@@ -54,9 +54,8 @@ private:
   bool ListFirst(const Work& work);
   bool Interpolate(const Work& work, size_t number, vtkIndirectTarget& target);
   bool Evaluate(const Work& work, size_t number, vtkIndirectTarget& target, bool whole);
-  void SetLevelUniforms(vtkShaderProgram* program, const Work& work, size_t number) const;
-  void ActivateLevel(vtkShaderProgram* program, const Work& work, size_t number) const;
-  void DeactivateLevel(const Work& work, size_t number) const;
+  void SetLevelUniforms(const vtkIndirectProgram& program, const Work& work, size_t number) const;
+  void ActivateLevel(const vtkIndirectProgram& program, const Work& work, size_t number) const;
 
   std::vector<std::unique_ptr<vtkIndirectTarget>> Lobes;  // [i] is level i + 1
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // the same

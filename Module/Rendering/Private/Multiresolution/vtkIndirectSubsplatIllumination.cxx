@@ -102,7 +102,8 @@ void vtkIndirectSubsplatIllumination::Define(const Work& work)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSubsplatIllumination::SetUniforms(vtkShaderProgram* program, const Work& work) const
+void vtkIndirectSubsplatIllumination::SetUniforms(
+  const vtkIndirectProgram& program, const Work& work) const
 {
   const Settings& settings = work.Set;
   const int size[2] = { work.Target.GetWidth(), work.Target.GetHeight() };
@@ -123,22 +124,20 @@ void vtkIndirectSubsplatIllumination::SetUniforms(vtkShaderProgram* program, con
 }
 
 //------------------------------------------------------------------------------
-const vtkIndirectTarget& vtkIndirectSubsplatIllumination::ActivateSurface(
-  vtkShaderProgram* program, const Work& work) const
+void vtkIndirectSubsplatIllumination::ActivateSurface(
+  const vtkIndirectProgram& program, const Work& work) const
 {
   const vtkIndirectTarget& pixels = work.In.Geometry.GetTarget();
   if (work.Number == 0)
   {
     pixels.Activate(vtkIndirectGeometryBuffer::Surface, program);
-    return pixels;
+    return;
   }
   if (program->IsUniformUsed("vtkiSurface"))
   {
     pixels.Activate(vtkIndirectGeometryBuffer::Surface, program); // facets
   }
-  const vtkIndirectTarget& surface = work.Pyramid.GetSurface(work.Number);
-  surface.Activate(0, program);
-  return surface;
+  work.Pyramid.GetSurface(work.Number).Activate(0, program);
 }
 
 //------------------------------------------------------------------------------
@@ -160,7 +159,7 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
   work.Target.ClearDepth();
   for (vtkIndirectFullScreenProgram* kernel : { &smooth, &others })
   {
-    vtkShaderProgram* program = kernel->Use(window);
+    vtkIndirectProgram program = kernel->Use(window);
     if (!program)
     {
       done = false;
@@ -170,7 +169,7 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
     state->vtkglDepthFunc(first ? GL_ALWAYS : GL_LESS);
     state->vtkglDepthMask(first ? GL_TRUE : GL_FALSE);
     this->SetUniforms(program, work);
-    const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
+    this->ActivateSurface(program, work);
     coarserSurface.Activate(0, program, "vtkiCoarserSurface");
     coarser.Activate(0, program);
     coarser.Activate(1, program);
@@ -182,12 +181,6 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
       work.In.Visibility.Activate(work.In.Frame.Window, program);
     }
     kernel->Draw();
-    coarserSurface.Deactivate();
-    coarser.Deactivate();
-    surface.Deactivate();
-    work.In.Geometry.GetTarget().Deactivate();
-    work.Lights.Deactivate();
-    work.In.Visibility.Deactivate();
   }
   state->vtkglDisable(GL_DEPTH_TEST);
   work.Target.End();
@@ -199,7 +192,7 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
 {
   vtkIndirectComputeProgram& kernel =
     (work.Number == 0 ? this->PixelBlocks : this->TexelBlocks)[SharesLooks(work)];
-  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window);
+  vtkIndirectProgram program = kernel.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -207,7 +200,7 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
   this->SetUniforms(program, work);
   work.Lights.Activate(program);
   work.In.Visibility.Activate(work.In.Frame.Window, program);
-  const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
+  this->ActivateSurface(program, work);
   kernel.AddImages(work.Target);
   program->SetUniformi("vtkiIrradianceImage", 0);
   if (work.Number > 0)
@@ -217,11 +210,6 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
   const vtkIndirectSubsplatList& lists = work.Pyramid.GetLists();
   lists.Activate(program, work.Number);
   kernel.Run(lists.GetBuffer(), work.Number);
-  lists.Deactivate();
-  surface.Deactivate();
-  work.In.Geometry.GetTarget().Deactivate();
-  work.Lights.Deactivate();
-  work.In.Visibility.Deactivate();
   return true;
 }
 

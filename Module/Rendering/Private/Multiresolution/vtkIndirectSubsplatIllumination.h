@@ -52,8 +52,8 @@ private:
   bool Fill(const Work& work);
   bool Interpolate(const Work& work);
   bool EvaluateBlocks(const Work& work);
-  void SetUniforms(vtkShaderProgram* program, const Work& work) const;
-  const vtkIndirectTarget& ActivateSurface(vtkShaderProgram* program, const Work& work) const;
+  void SetUniforms(const vtkIndirectProgram& program, const Work& work) const;
+  void ActivateSurface(const vtkIndirectProgram& program, const Work& work) const;
 
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // [i] is level i + 1
   bool HalfFloats = true;

@@ -11,7 +11,6 @@
 #include <vector>  // for the levels
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectSubsplatList : public vtkIndirectResource
 {
@@ -25,8 +24,7 @@ public:
   void End();
 
   /** Binds the buffer to a program that appends to, or reads, one of the lists. */
-  void Activate(vtkShaderProgram* program, size_t list) const;
-  void Deactivate() const { this->Buffer.Deactivate(); }
+  void Activate(const vtkIndirectProgram& program, size_t list) const;
 
   /** The lists, for programs that run for their entries. */
   const vtkIndirectCommandBuffer& GetBuffer() const { return this->Buffer; }

@@ -103,7 +103,7 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
   {
     vtkIndirectFullScreenProgram& kernel = probe ? this->ProbeLights : this->MeasureVariation;
     vtkIndirectTarget& target = probe ? *this->Probe : *this->Variation;
-    vtkShaderProgram* program = kernel.Use(frame.Window);
+    vtkIndirectProgram program = kernel.Use(frame.Window);
     if (!program)
     {
       return false;
@@ -128,10 +128,6 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
       this->Probe->Activate(2, program);
     }
     kernel.Draw();
-    this->Probe->Deactivate();
-    lights.Deactivate();
-    input.Visibility.Deactivate();
-    input.Geometry.GetTarget().Deactivate();
     target.End();
   }
   return true;
@@ -145,7 +141,7 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
   const bool first = number == 1;
   vtkIndirectFullScreenProgram& kernel = first ? this->BuildFinest : this->BuildCoarser;
   vtkIndirectTarget& level = *this->Levels[number - 1];
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  vtkIndirectProgram program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -179,7 +175,6 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
   {
     geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
     kernel.Draw();
-    geometry.Deactivate();
   }
   else
   {
@@ -192,12 +187,6 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
       finer.Activate(channel, program);
     }
     kernel.Draw();
-    finer.Deactivate();
-  }
-  if (settings.LightingThreshold > 0.0)
-  {
-    this->Variation->Deactivate();
-    this->Probe->Deactivate();
   }
   level.End();
   return true;

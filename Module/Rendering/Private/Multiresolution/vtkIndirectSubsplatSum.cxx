@@ -262,7 +262,7 @@ bool vtkIndirectSubsplatSum::FillInBatches(
     {
       continue;
     }
-    vtkShaderProgram* program = this->AddBatch.Use(window);
+    vtkIndirectProgram program = this->AddBatch.Use(window);
     if (!program)
     {
       return false;
@@ -273,7 +273,6 @@ bool vtkIndirectSubsplatSum::FillInBatches(
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
     this->AddBatch.Draw();
     state->vtkglDisable(GL_BLEND);
-    this->Batch->Deactivate();
     this->Irradiance->End();
   }
   // The lists for specular receivers are found from all lights.

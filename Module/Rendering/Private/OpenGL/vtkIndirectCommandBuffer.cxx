@@ -69,7 +69,7 @@ void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCommandBuffer::Activate(vtkShaderProgram* program, const char* block) const
+void vtkIndirectCommandBuffer::Activate(const vtkIndirectProgram& program, const char* block) const
 {
 #ifdef GL_SHADER_STORAGE_BUFFER
   const auto handle = static_cast<GLuint>(program->GetHandle());
@@ -78,14 +78,6 @@ void vtkIndirectCommandBuffer::Activate(vtkShaderProgram* program, const char* b
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, this->Handle);
 #else
   (void)program, (void)block;
-#endif
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectCommandBuffer::Deactivate() const
-{
-#ifdef GL_SHADER_STORAGE_BUFFER
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, 0);
 #endif
 }
 

@@ -5,11 +5,11 @@
 #ifndef vtkIndirectCommandBuffer_h
 #define vtkIndirectCommandBuffer_h
 
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkWeakPointer.h"             // for the window
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectCommandBuffer : public vtkIndirectResource
 {
@@ -25,8 +25,7 @@ public:
   void Begin(vtkOpenGLRenderWindow* window, size_t words);
 
   /** Binds the buffer to a program's storage block of that name. */
-  void Activate(vtkShaderProgram* program, const char* block) const;
-  void Deactivate() const;
+  void Activate(const vtkIndirectProgram& program, const char* block) const;
 
   /** One invocation for each entry of a list, rounded up to groups; the program must be current. */
   void Dispatch(size_t list) const;

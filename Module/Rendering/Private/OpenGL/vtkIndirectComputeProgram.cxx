@@ -117,7 +117,7 @@ void vtkIndirectComputeProgram::SetDefinitions(const std::string& definitions)
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
+vtkIndirectProgram vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Built)
   {
@@ -134,7 +134,7 @@ vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
   // Otherwise the cache would take the program that it bound last for the current one.
   window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(static_cast<GLuint>(this->Built->GetHandle()));
-  return this->Built;
+  return vtkIndirectProgram(this->Built);
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #ifndef vtkIndirectComputeProgram_h
 #define vtkIndirectComputeProgram_h
 
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkSmartPointer.h"            // for the program
 
@@ -13,7 +14,6 @@
 class vtkIndirectCommandBuffer;
 class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectComputeProgram : public vtkIndirectResource
 {
@@ -30,7 +30,7 @@ public:
   void SetDefinitions(const std::string& definitions);
 
   /** Makes the program current. Returns nullptr, after an error, if it does not compile. */
-  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
+  vtkIndirectProgram Use(vtkOpenGLRenderWindow* window);
 
   /** Binds all channels of a target as images, from that unit on, for the next Run. */
   void AddImages(const vtkIndirectTarget& target, int unit = 0);

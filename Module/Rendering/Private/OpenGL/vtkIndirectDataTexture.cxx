@@ -66,19 +66,9 @@ bool vtkIndirectDataTexture::Set(vtkOpenGLRenderWindow* window, ContentType cont
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDataTexture::Activate(vtkShaderProgram* program, const char* uniform) const
+void vtkIndirectDataTexture::Activate(const vtkIndirectProgram& program, const char* uniform) const
 {
-  this->Texture->Activate();
-  program->SetUniformi(uniform, this->Texture->GetTextureUnit());
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectDataTexture::Deactivate() const
-{
-  if (this->Texture)
-  {
-    this->Texture->Deactivate();
-  }
+  program.Bind(this->Texture, uniform);
 }
 
 //------------------------------------------------------------------------------

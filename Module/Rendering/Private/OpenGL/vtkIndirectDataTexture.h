@@ -3,13 +3,13 @@
 #ifndef vtkIndirectDataTexture_h
 #define vtkIndirectDataTexture_h
 
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkSmartPointer.h"            // for the texture
 
 #include <glm/glm.hpp> // for sizes
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 class vtkTextureObject;
 
 class vtkIndirectDataTexture : public vtkIndirectResource
@@ -36,11 +36,8 @@ public:
 
   bool IsEmpty() const { return this->Texture == nullptr; }
 
-  ///@{
   /** Bind the texture to a sampler; pair. An empty texture may be deactivated. */
-  void Activate(vtkShaderProgram* program, const char* uniform) const;
-  void Deactivate() const;
-  ///@}
+  void Activate(const vtkIndirectProgram& program, const char* uniform) const;
 
   /** Drops the content, which is out of date; the context need not be current. */
   void Clear();

@@ -57,7 +57,7 @@ void vtkIndirectFullScreenProgram::SetDefinitions(const std::string& definitions
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectFullScreenProgram::Use(vtkOpenGLRenderWindow* window)
+vtkIndirectProgram vtkIndirectFullScreenProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Quad)
   {
@@ -81,11 +81,11 @@ vtkShaderProgram* vtkIndirectFullScreenProgram::Use(vtkOpenGLRenderWindow* windo
     window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
   }
   vtkShaderProgram* program = this->Quad->Program;
-  return program && program->GetCompiled() ? program : nullptr;
+  return vtkIndirectProgram(program && program->GetCompiled() ? program : nullptr);
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectFullScreenProgram::Use(
+vtkIndirectProgram vtkIndirectFullScreenProgram::Use(
   vtkOpenGLRenderWindow* window, const std::string& definitions)
 {
   this->SetDefinitions(definitions);

@@ -3,6 +3,7 @@
 #ifndef vtkIndirectFullScreenProgram_h
 #define vtkIndirectFullScreenProgram_h
 
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 
 #include <memory> // for the quad
@@ -10,7 +11,6 @@
 
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectFullScreenProgram : public vtkIndirectResource
 {
@@ -25,9 +25,9 @@ public:
    * not compile; VTK has reported why. VTK's cache shares programs with equal text: set every
    * uniform before each Draw.
    */
-  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
+  vtkIndirectProgram Use(vtkOpenGLRenderWindow* window);
   /** Use after SetDefinitions. */
-  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
+  vtkIndirectProgram Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
 
   /** Sets the file for VTKI_GATHER; a change rebuilds the program. */
   void SetGather(const std::string& gather);

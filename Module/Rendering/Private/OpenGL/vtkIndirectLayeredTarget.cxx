@@ -133,9 +133,9 @@ void vtkIndirectLayeredTarget::End()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLayeredTarget::Activate(int channel, vtkShaderProgram* program)
+void vtkIndirectLayeredTarget::Activate(int channel, const vtkIndirectProgram& program)
 {
-  program->SetUniformi(this->Channels[channel].Uniform, this->Activate(channel));
+  program.Bind(this->Textures[channel], this->Channels[channel].Uniform);
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #define vtkIndirectLayeredTarget_h
 
 #include "OpenGL/vtkIndirectChannel.h"  // for the table
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkSmartPointer.h"            // for members
 
@@ -12,7 +13,6 @@
 class vtkIndirectArrayTexture;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectLayeredTarget : public vtkIndirectResource
 {
@@ -38,7 +38,7 @@ public:
   void End();
 
   /** Binds a channel's array and sets its sampler; pair with Deactivate. */
-  void Activate(int channel, vtkShaderProgram* program);
+  void Activate(int channel, const vtkIndirectProgram& program);
   /** Texture unit with a channel's array bound; pair with Deactivate. */
   int Activate(int channel);
   /** Texture unit with the depth array bound; pair with Deactivate. */

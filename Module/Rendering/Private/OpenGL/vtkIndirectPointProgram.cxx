@@ -28,7 +28,7 @@ vtkIndirectPointProgram::~vtkIndirectPointProgram()
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectPointProgram::Use(
+vtkIndirectProgram vtkIndirectPointProgram::Use(
   vtkOpenGLRenderWindow* window, const std::string& definitions)
 {
   if (this->VertexText.empty() || definitions != this->Definitions)
@@ -48,7 +48,7 @@ vtkShaderProgram* vtkIndirectPointProgram::Use(
     this->Window = window;
     glGenVertexArrays(1, &this->VertexArray);
   }
-  return program;
+  return vtkIndirectProgram(program);
 }
 
 //------------------------------------------------------------------------------

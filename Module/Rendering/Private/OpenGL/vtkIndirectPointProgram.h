@@ -4,13 +4,12 @@
 #ifndef vtkIndirectPointProgram_h
 #define vtkIndirectPointProgram_h
 
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkOpenGLRenderWindow.h"      // for the weak pointer
 #include "vtkWeakPointer.h"             // for the context
 
 #include <string> // for names
-
-class vtkShaderProgram;
 
 class vtkIndirectPointProgram : public vtkIndirectResource
 {
@@ -24,7 +23,7 @@ public:
    * Makes the program current, with these lines at the beginning of both texts. Returns nullptr if
    * it does not compile; VTK has reported why. Set every uniform before each Draw.
    */
-  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
+  vtkIndirectProgram Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
 
   /** Draws points 0 to count - 1, squares of this many pixels. */
   void Draw(int count, int pixels);

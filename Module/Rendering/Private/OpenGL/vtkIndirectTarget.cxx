@@ -368,37 +368,22 @@ void vtkIndirectTarget::ClearDepth()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program) const
+void vtkIndirectTarget::Activate(int channel, const vtkIndirectProgram& program) const
 {
   this->Activate(channel, program, this->Channels[channel].Uniform);
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program, const char* uniform) const
+void vtkIndirectTarget::Activate(
+  int channel, const vtkIndirectProgram& program, const char* uniform) const
 {
-  vtkTextureObject* texture = this->Textures[channel];
-  texture->Activate();
-  program->SetUniformi(uniform, texture->GetTextureUnit());
+  program.Bind(this->Textures[channel], uniform);
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTarget::ActivateDepth(vtkShaderProgram* program, const char* uniform) const
+void vtkIndirectTarget::ActivateDepth(const vtkIndirectProgram& program, const char* uniform) const
 {
-  this->Depth->Activate();
-  program->SetUniformi(uniform, this->Depth->GetTextureUnit());
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectTarget::Deactivate() const
-{
-  for (const auto& texture : this->Textures)
-  {
-    texture->Deactivate();
-  }
-  if (this->Depth)
-  {
-    this->Depth->Deactivate();
-  }
+  program.Bind(this->Depth, uniform);
 }
 
 //------------------------------------------------------------------------------

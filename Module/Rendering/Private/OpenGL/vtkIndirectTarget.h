@@ -4,6 +4,7 @@
 #define vtkIndirectTarget_h
 
 #include "OpenGL/vtkIndirectChannel.h"  // for the table
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkIndent.h"                  // for Print
 #include "vtkOpenGLFramebufferObject.h" // for members
@@ -15,7 +16,6 @@
 #include <vector>  // for textures
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectTarget : public vtkIndirectResource
 {
@@ -83,12 +83,11 @@ public:
   vtkTextureObject* GetTexture(int channel) const { return this->Textures[channel]; }
   vtkTextureObject* GetDepthTexture() const { return this->Depth; }
 
-  /** Binds a channel's texture and sets its sampler uniform; pair with Deactivate. */
-  void Activate(int channel, vtkShaderProgram* program) const;
+  /** Binds a channel's texture and sets its sampler uniform. */
+  void Activate(int channel, const vtkIndirectProgram& program) const;
   /** Binds under another name than the channel's own. */
-  void Activate(int channel, vtkShaderProgram* program, const char* uniform) const;
-  void ActivateDepth(vtkShaderProgram* program, const char* uniform) const;
-  void Deactivate() const;
+  void Activate(int channel, const vtkIndirectProgram& program, const char* uniform) const;
+  void ActivateDepth(const vtkIndirectProgram& program, const char* uniform) const;
 
   /** Reads a channel back, four floats a pixel, bottom row first. */
   std::vector<float> ReadBack(int channel) const;

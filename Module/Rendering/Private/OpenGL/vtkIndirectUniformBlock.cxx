@@ -36,7 +36,7 @@ void vtkIndirectUniformBlock::Update(vtkOpenGLRenderWindow* window, const void* 
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectUniformBlock::Activate(vtkShaderProgram* program) const
+void vtkIndirectUniformBlock::Activate(const vtkIndirectProgram& program) const
 {
   const auto handle = static_cast<GLuint>(program->GetHandle());
   const GLuint index = glGetUniformBlockIndex(handle, this->Name);

@@ -4,11 +4,11 @@
 #ifndef vtkIndirectUniformBlock_h
 #define vtkIndirectUniformBlock_h
 
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkWeakPointer.h"             // for the window
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectUniformBlock : public vtkIndirectResource
 {
@@ -26,7 +26,7 @@ public:
    */
   void Update(vtkOpenGLRenderWindow* window, const void* data, size_t bytes);
   /** Binds it to the block of that name in a program. */
-  void Activate(vtkShaderProgram* program) const;
+  void Activate(const vtkIndirectProgram& program) const;
   /** Returns the buffer of the last Update in OpenGL. */
   unsigned int GetBuffer() const { return this->Buffer; }
 

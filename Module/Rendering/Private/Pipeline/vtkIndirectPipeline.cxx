@@ -185,7 +185,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->Geometry.Update(s, this->Frame, this->Plan, this->Capture, shadowed ? &shadows : nullptr);
   if (shadowed)
   {
-    this->Maps.Deactivate();
+    this->Maps.DeactivateShadows();
     this->Penumbra.Deactivate();
   }
   drawn = drawn && !this->IsRedirected() &&

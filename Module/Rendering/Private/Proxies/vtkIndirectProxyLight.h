@@ -13,7 +13,6 @@
 #include <array> // for coefficients
 
 class vtkEnvironmentLight;
-class vtkShaderProgram;
 
 class vtkIndirectProxyLight : public vtkIndirectResource
 {
@@ -49,7 +48,7 @@ public:
   /** Unit. */
   static glm::dvec3 FindNormal(const vtkIndirectProxyPolygon& polygon);
 
-  void Activate(vtkShaderProgram* program) const;
+  void Activate(const vtkIndirectProgram& program) const;
 
 protected:
   void ReleaseOwn(vtkWindow*) override { this->Environment = nullptr; }

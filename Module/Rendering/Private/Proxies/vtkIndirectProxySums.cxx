@@ -44,7 +44,6 @@ void FinishImages()
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 #endif
-
 }
 
 //------------------------------------------------------------------------------
@@ -108,7 +107,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     kernel.SetDefinitions(i > 0    ? "#define VTKI_PROXY_MEANS\n"
         : this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n"
                                    : "");
-    vtkShaderProgram* program = kernel.Use(window);
+    vtkIndirectProgram program = kernel.Use(window);
     if (!program)
     {
       return false;
@@ -131,13 +130,6 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
       }
     }
     kernel.Draw();
-    this->SenderLight.Deactivate();
-    entries.Deactivate();
-    ranges.Deactivate();
-    if (i == 0)
-    {
-      this->Deactivate(input);
-    }
     target.End();
   }
   this->SendersAreLit = true;
@@ -145,7 +137,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* program) const
+void vtkIndirectProxySums::Activate(const Input& input, const vtkIndirectProgram& program) const
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
@@ -165,15 +157,6 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   vtkIndirectProxyTreeTables::SetTexelSize(program, "vtkiLightScale", this->AllLight);
   program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
   program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxySums::Deactivate(const Input& input) const
-{
-  input.Geometry.GetTarget().Deactivate();
-  this->Tables.Deactivate();
-  this->SenderLight.Deactivate();
-  this->AllLight.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -248,7 +231,7 @@ bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& ima
 {
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  vtkShaderProgram* program = this->Choosing.Use(frame.Window);
+  vtkIndirectProgram program = this->Choosing.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -270,8 +253,6 @@ bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& ima
   {
     glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   }
-  this->Rest.Deactivate();
-  this->Deactivate(input);
   return true;
 #else
   return image.GetWidth() > 0 && input.Step > 0;
@@ -285,7 +266,7 @@ bool vtkIndirectProxySums::ShareRest(
 #ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   this->Sharing.SetDefinitions(definitions);
-  vtkShaderProgram* program = this->Sharing.Use(frame.Window);
+  vtkIndirectProgram program = this->Sharing.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -299,12 +280,8 @@ bool vtkIndirectProxySums::ShareRest(
   this->BindImages(image, 0, true);
   this->Rest.Activate(program, "vtkiProxyPixels");
   this->Rest.Dispatch(1);
-  this->Rest.Deactivate();
   FinishImages();
   this->BindImages(image, 0, false);
-  this->Counts.Deactivate();
-  this->Shared.Deactivate();
-  this->Deactivate(input);
   return true;
 #else
   return image.GetWidth() > 0 && definitions.empty() && input.Step > 0;
@@ -334,7 +311,7 @@ bool vtkIndirectProxySums::SumInTiles(
     (this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n" : "") +
     (mode == PIXELS ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
-  vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
+  vtkIndirectProgram program = this->Tiles[mode].Use(frame.Window);
   if (!program)
   {
     return false;
@@ -362,7 +339,6 @@ bool vtkIndirectProxySums::SumInTiles(
   {
     this->Rest.Activate(program, "vtkiProxyPixels");
     this->Rest.Dispatch(0);
-    this->Rest.Deactivate();
   }
   else
   {
@@ -371,7 +347,6 @@ bool vtkIndirectProxySums::SumInTiles(
   }
   FinishImages();
   bind(false);
-  this->Deactivate(input);
   return true;
 #else
   return image.GetWidth() > 0 && mode >= 0 && definitions.empty() && input.Step > 0;
@@ -387,9 +362,9 @@ bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definiti
   {
     return false;
   }
-  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
+  const vtkIndirectProgram program(frame.Window->GetShaderCache()->ReadyShaderProgram(
     vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatVS.glsl", definitions).c_str(),
-    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatFS.glsl", definitions).c_str(), "");
+    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatFS.glsl", definitions).c_str(), ""));
   if (!program || !program->GetCompiled())
   {
     return false;
@@ -416,7 +391,6 @@ bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definiti
       std::min(EntriesPerDraw, this->Tables.GetNumberOfEntries() - first));
     glFlush();
   }
-  this->Deactivate(input);
   state->vtkglDisable(GL_BLEND);
   target.End();
   return true;
@@ -433,7 +407,7 @@ bool vtkIndirectProxySums::SumBlended(
   }
   const bool coarse = input.Step > 1;
   vtkIndirectTarget& target = coarse ? this->Coarse : image;
-  vtkShaderProgram* program =
+  vtkIndirectProgram program =
     this->Resolving.Use(frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
   if (!program)
   {
@@ -446,8 +420,6 @@ bool vtkIndirectProxySums::SumBlended(
     this->Blended.Activate(i, program);
   }
   this->Resolving.Draw();
-  this->Blended.Deactivate();
-  this->Deactivate(input);
   target.End();
   return !coarse || this->Upsample(input, definitions + "#define VTKI_PROXY_GATHER\n", image);
 }
@@ -456,7 +428,7 @@ bool vtkIndirectProxySums::SumBlended(
 bool vtkIndirectProxySums::Upsample(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
-  vtkShaderProgram* program = this->Upsampling.Use(
+  vtkIndirectProgram program = this->Upsampling.Use(
     input.Frame.Window, definitions + vtkIndirectReceiverGrid::DefineStep(input.Step));
   if (!program)
   {
@@ -475,8 +447,6 @@ bool vtkIndirectProxySums::Upsample(
   this->Activate(input, program);
   this->Coarse.ActivateAll(program);
   this->Upsampling.Draw();
-  this->Coarse.Deactivate();
-  this->Deactivate(input);
   program = this->Background.Use(input.Frame.Window);
   state->vtkglDepthFunc(GL_EQUAL);
   if (program)

@@ -54,8 +54,7 @@ protected:
   void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  void Activate(const Input& input, vtkShaderProgram* program) const;
-  void Deactivate(const Input& input) const;
+  void Activate(const Input& input, const vtkIndirectProgram& program) const;
   bool LightSenders(const Input& input);
   bool SumInTiles(
     const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode);

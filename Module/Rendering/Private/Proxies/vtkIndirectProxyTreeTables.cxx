@@ -181,7 +181,7 @@ bool vtkIndirectProxyTreeTables::UpdateSenders(
 
 //------------------------------------------------------------------------------
 void vtkIndirectProxyTreeTables::SetTexelSize(
-  vtkShaderProgram* program, const char* name, const vtkIndirectTarget& table)
+  const vtkIndirectProgram& program, const char* name, const vtkIndirectTarget& table)
 {
   const float perTexel[2] = { 1.0f / static_cast<float>(RowLength),
     1.0f / static_cast<float>(std::max(table.GetHeight(), 1)) };
@@ -189,7 +189,7 @@ void vtkIndirectProxyTreeTables::SetTexelSize(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyTreeTables::Activate(vtkShaderProgram* program) const
+void vtkIndirectProxyTreeTables::Activate(const vtkIndirectProgram& program) const
 {
   if (program->IsUniformUsed("vtkiSenderPlace"))
   {
@@ -209,16 +209,6 @@ void vtkIndirectProxyTreeTables::Activate(vtkShaderProgram* program) const
   }
   SetTexelSize(program, "vtkiEntryScale", this->Rows);
   program->SetUniformi("vtkiProxyCount", this->NumberOfEntries);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxyTreeTables::Deactivate() const
-{
-  for (const vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders })
-  {
-    target->Deactivate();
-  }
 }
 
 //------------------------------------------------------------------------------

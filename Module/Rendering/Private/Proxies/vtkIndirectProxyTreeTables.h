@@ -20,12 +20,11 @@ public:
   bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
     const std::vector<vtkIndirectProxyPolygon>& polygons);
 
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
+  void Activate(const vtkIndirectProgram& program) const;
   /** Sets the size of a table's texel over the table's width and height, for rows of
    * VTKI_ROW_LENGTH. */
   static void SetTexelSize(
-    vtkShaderProgram* program, const char* name, const vtkIndirectTarget& table);
+    const vtkIndirectProgram& program, const char* name, const vtkIndirectTarget& table);
 
   /** The polygons that send light: the largest of those given to Update. */
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }

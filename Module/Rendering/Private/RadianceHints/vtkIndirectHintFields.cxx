@@ -147,7 +147,7 @@ bool vtkIndirectHintFields::Inject(
   vtkIndirectFullScreenProgram& kernel = list ? this->DenseKernel : this->SampledKernel;
   kernel.SetDefinitions(GetDefinitions(this->Layout, settings.Visibility, grid.GetNumberOfGrids()) +
     (list ? input.Lights->GetDefinitions() : ""));
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  vtkIndirectProgram program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -187,16 +187,6 @@ bool vtkIndirectHintFields::Inject(
   vtkIndirectSetUniform(
     program, "vtkiSceneToClip", glm::mat4(frame.Projection * unscale * sceneToView));
   kernel.Draw();
-  input.Geometry.GetTarget().Deactivate();
-  if (list)
-  {
-    input.Lights->Deactivate();
-  }
-  else
-  {
-    input.Maps.Deactivate();
-  }
-  grid.Deactivate();
   this->Fields[0]->End();
   return true;
 }
@@ -211,7 +201,7 @@ bool vtkIndirectHintFields::Reflect(
   {
     return false;
   }
-  vtkShaderProgram* program = this->RadiosityKernel.Use(window);
+  vtkIndirectProgram program = this->RadiosityKernel.Use(window);
   if (!program)
   {
     return false;
@@ -221,7 +211,6 @@ bool vtkIndirectHintFields::Reflect(
   grid.ActivateSurfels(window, program);
   program->SetUniform4f("vtkiMeanAlbedo", albedo);
   this->RadiosityKernel.Draw();
-  this->Deactivate(input, grid);
   this->Radiosity.End();
   return true;
 }
@@ -243,7 +232,7 @@ bool vtkIndirectHintFields::Bounce(
   // L^k = L^1 + T L^(k-1)
   const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
   this->CopyKernel.SetDefinitions(GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
-  vtkShaderProgram* program = this->CopyKernel.Use(window);
+  vtkIndirectProgram program = this->CopyKernel.Use(window);
   if (!program)
   {
     return false;
@@ -251,7 +240,6 @@ bool vtkIndirectHintFields::Bounce(
   this->Fields[next]->Begin();
   this->ActivateField(0, program);
   this->CopyKernel.Draw();
-  this->Deactivate(input, grid);
 
   vtkIndirectFullScreenProgram& kernel =
     settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
@@ -290,18 +278,13 @@ bool vtkIndirectHintFields::Bounce(
   }
   kernel.Draw();
   state->vtkglDisable(GL_BLEND);
-  this->Deactivate(input, grid);
-  if (!settings.FromHints)
-  {
-    this->Radiosity.Deactivate();
-  }
   this->Fields[next]->End();
   this->Current = next;
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintFields::ActivateField(int field, vtkShaderProgram* program)
+void vtkIndirectHintFields::ActivateField(int field, const vtkIndirectProgram& program)
 {
   for (int i = 0; i <= (this->Layout == 2 ? 7 : 3); ++i)
   {
@@ -311,7 +294,7 @@ void vtkIndirectHintFields::ActivateField(int field, vtkShaderProgram* program)
 
 //------------------------------------------------------------------------------
 void vtkIndirectHintFields::ActivateLookup(const Input& input, const Settings& settings,
-  vtkIndirectHintGrid& grid, vtkShaderProgram* program)
+  vtkIndirectHintGrid& grid, const vtkIndirectProgram& program)
 {
   grid.Activate(input.Frame.Window, program);
   this->ActivateField(this->Current, program);
@@ -319,20 +302,6 @@ void vtkIndirectHintFields::ActivateLookup(const Input& input, const Settings& s
   {
     input.Visibility.GetVolume().Activate(input.Frame.Window, program);
     grid.ActivateMasks(input.Frame.Window, program);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintFields::Deactivate(const Input& input, vtkIndirectHintGrid& grid)
-{
-  grid.Deactivate();
-  input.Visibility.GetVolume().Deactivate();
-  for (const auto& field : this->Fields)
-  {
-    if (field && field->GetWidth() > 0)
-    {
-      field->Deactivate();
-    }
   }
 }
 

@@ -37,10 +37,9 @@ public:
   /** Definitions for a stage with vtkIndirectHintLookup.glsl, which must be rebuilt if they
    * change. */
   static std::string GetLookupDefinitions(const Settings& settings, int grids);
-  /** Binds the stage's textures; pair with Deactivate. */
+  /** Binds the stage's textures. */
   void ActivateLookup(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid,
-    vtkShaderProgram* program);
-  void Deactivate(const Input& input, vtkIndirectHintGrid& grid);
+    const vtkIndirectProgram& program);
 
   /** Textures of the current field, four floats a hint; empty before the first Fill. */
   std::vector<std::vector<float>> ReadBack() const;
@@ -52,7 +51,7 @@ private:
   bool Reflect(
     const Input& input, const Settings& settings, vtkIndirectHintGrid& grid, const float albedo[4]);
   bool Bounce(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid);
-  void ActivateField(int field, vtkShaderProgram* program);
+  void ActivateField(int field, const vtkIndirectProgram& program);
 
   // The first bounce, all bounces, and the previous sum while bounces go from hint to hint.
   std::unique_ptr<vtkIndirectTarget> Fields[3];

@@ -23,7 +23,6 @@
 class vtkIndirectOccupancyVolume;
 class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectHintGrid : public vtkIndirectResource
 {
@@ -105,13 +104,12 @@ public:
   static glm::dvec4 GetDirection(int ray, int edge);
 
   ///@{
-  /** Bind the tables for vtkIndirectHintPlaces.glsl and its users; one Deactivate for all. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void ActivateMasks(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void Deactivate() const;
+  /** Bind the tables for vtkIndirectHintPlaces.glsl and its users. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
+  void ActivateMasks(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
+  void ActivateRays(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
+  void ActivateAlbedo(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
+  void ActivateSurfels(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
   ///@}
   int GetNumberOfGrids() const { return static_cast<int>(this->Current.Regions.size()); }
 
@@ -136,8 +134,8 @@ private:
   void FindPlanes();
   void FindHits(const vtkIndirectSurfaces& surfaces);
   // Binds a table's texture, which it makes if there is none.
-  void Bind(
-    Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform);
+  void Bind(Table table, vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program,
+    const char* uniform);
   void Make(Table table, vtkOpenGLRenderWindow* window);
   // Edge of the octahedral map of at least this many rays, an even number.
   static int FindRayEdge(int rays);

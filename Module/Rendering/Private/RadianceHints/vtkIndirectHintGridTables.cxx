@@ -18,17 +18,8 @@ constexpr int LeastRayRowLength = 1024;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Deactivate() const
-{
-  for (const vtkIndirectDataTexture& texture : this->Textures)
-  {
-    texture.Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Bind(
-  Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform)
+void vtkIndirectHintGrid::Bind(Table table, vtkOpenGLRenderWindow* window,
+  const vtkIndirectProgram& program, const char* uniform)
 {
   if (this->Textures[table].IsEmpty())
   {
@@ -84,7 +75,7 @@ void vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   this->Bind(HintTable, window, program, "vtkiHints");
   for (int grid = 0; grid < this->GetNumberOfGrids(); ++grid)
@@ -109,13 +100,15 @@ void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgr
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::ActivateMasks(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::ActivateMasks(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   this->Bind(MaskTable, window, program, "vtkiMasks");
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::ActivateRays(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   this->Bind(RayTable, window, program, "vtkiRays");
   this->Bind(DirectionTable, window, program, "vtkiDirections");
@@ -124,13 +117,15 @@ void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderP
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::ActivateAlbedo(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   this->Bind(AlbedoTable, window, program, "vtkiHintAlbedo");
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::ActivateSurfels(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   const char* const names[] = { "vtkiSurfelPosition", "vtkiSurfelNormal", "vtkiSurfelAlbedo" };
   for (int i = 0; i < 3; ++i)

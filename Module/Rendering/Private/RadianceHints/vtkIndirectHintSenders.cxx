@@ -60,7 +60,7 @@ bool vtkIndirectHintSenders::Update(const Input& input)
     return false;
   }
   vtkIndirectTarget& table = this->BeginChange();
-  vtkShaderProgram* program = count > 0 ? this->Program.Use(window) : nullptr;
+  vtkIndirectProgram program = count > 0 ? this->Program.Use(window) : nullptr;
   if (count > 0 && !program)
   {
     return false;
@@ -74,7 +74,6 @@ bool vtkIndirectHintSenders::Update(const Input& input)
     program->SetUniformi("vtkiReads", ReadsPerBlockEdge);
     program->SetUniformi("vtkiLightCount", count);
     this->Program.Draw();
-    maps.Deactivate();
     table.End();
   }
   this->MapTime = maps.GetContentTime();

@@ -93,19 +93,12 @@ std::string vtkIndirectHintSum::GetLookupDefinitions(int step) const
 
 //------------------------------------------------------------------------------
 // Binds receivers and hints.
-void vtkIndirectHintSum::ActivateLookup(vtkShaderProgram* program, const Input& input)
+void vtkIndirectHintSum::ActivateLookup(const vtkIndirectProgram& program, const Input& input)
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
   input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
   this->Fields.ActivateLookup(input, this->FieldSettings, this->Grid, program);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintSum::DeactivateLookup(const Input& input)
-{
-  input.Geometry.GetTarget().Deactivate();
-  this->Fields.Deactivate(input, this->Grid);
 }
 
 //------------------------------------------------------------------------------
@@ -285,7 +278,7 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
   this->Converged = !mix;
   const std::string definitions = this->GetLookupDefinitions(step);
   this->LookUpKernel.SetDefinitions(definitions + (mix ? "#define VTKI_KEEP\n" : ""));
-  vtkShaderProgram* program = this->LookUpKernel.Use(frame.Window);
+  vtkIndirectProgram program = this->LookUpKernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -300,11 +293,6 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
     this->Coarse[this->CoarseNow].Activate(0, program, "vtkiLast");
   }
   this->LookUpKernel.Draw();
-  if (mix)
-  {
-    this->Coarse[this->CoarseNow].Deactivate();
-  }
-  this->DeactivateLookup(input);
   this->Coarse[next].End();
   timer.End(vtkIndirectStageTimer::Estimate);
   this->CoarseNow = next;
@@ -343,7 +331,7 @@ bool vtkIndirectHintSum::FillMixedCells(const Input& input)
   {
     // The second draws the pixels that the first has discarded: where depth is still that of the
     // clear.
-    vtkShaderProgram* program = points->Use(frame.Window, definitions);
+    vtkIndirectProgram program = points->Use(frame.Window, definitions);
     drawn = program != nullptr;
     if (!drawn)
     {
@@ -352,8 +340,6 @@ bool vtkIndirectHintSum::FillMixedCells(const Input& input)
     this->ActivateLookup(program, input);
     coarse.ActivateAll(program);
     points->Draw(cells, step);
-    coarse.Deactivate();
-    this->DeactivateLookup(input);
   }
   state->vtkglDisable(GL_DEPTH_TEST);
   this->Irradiance->End();

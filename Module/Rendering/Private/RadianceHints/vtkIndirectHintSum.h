@@ -55,8 +55,7 @@ private:
   bool LookUp(const Input& input);
   bool FillMixedCells(const Input& input);
   std::string GetLookupDefinitions(int step) const;
-  void ActivateLookup(vtkShaderProgram* program, const Input& input);
-  void DeactivateLookup(const Input& input);
+  void ActivateLookup(const vtkIndirectProgram& program, const Input& input);
 
   vtkRadianceHintsPass& Set;
   vtkIndirectHintGrid::Settings GridSettings;

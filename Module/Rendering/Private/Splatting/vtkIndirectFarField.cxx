@@ -62,7 +62,7 @@ bool vtkIndirectFarField::Sum(
   const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
   const bool adds = rows > rowsPerDraw;
   this->SumCoarse.SetDefinitions(GetDefinitions(input, table, step));
-  vtkShaderProgram* program = this->SumCoarse.Use(frame.Window);
+  vtkIndirectProgram program = this->SumCoarse.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -84,7 +84,6 @@ bool vtkIndirectFarField::Sum(
     program->SetUniform2i("vtkiLightRows", block);
     this->SumCoarse.Draw();
   }
-  table.Deactivate(input);
   state->vtkglDisable(GL_BLEND);
   this->Coarse.End();
   return true;
@@ -96,7 +95,7 @@ bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
 {
   const vtkIndirectFrame& frame = input.Frame;
   this->Interpolate.SetDefinitions(GetDefinitions(input, table, step));
-  vtkShaderProgram* program = this->Interpolate.Use(frame.Window);
+  vtkIndirectProgram program = this->Interpolate.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -109,8 +108,6 @@ bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
   table.Activate(input, program);
   this->Coarse.ActivateAll(program);
   this->Interpolate.Draw();
-  this->Coarse.Deactivate();
-  table.Deactivate(input);
   state->vtkglDisable(GL_BLEND);
   irradiance.End();
   return true;

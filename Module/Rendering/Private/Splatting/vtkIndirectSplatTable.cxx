@@ -90,7 +90,7 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   this->SumAll.SetDefinitions(definitions + "#define VTKI_SPLAT_COLUMNS\n");
   this->MakeBounds.SetDefinitions(definitions);
 
-  vtkShaderProgram* program = this->SumColumns.Use(window);
+  vtkIndirectProgram program = this->SumColumns.Use(window);
   if (!program)
   {
     return false;
@@ -99,8 +99,6 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   lights.Activate(program);
   lights.ActivateLobes(program);
   this->SumColumns.Draw();
-  lights.DeactivateLobes();
-  lights.Deactivate();
   this->Columns.End();
 
   program = this->SumAll.Use(window);
@@ -111,7 +109,6 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   this->Mean.Begin();
   this->Columns.Activate(0, program);
   this->SumAll.Draw();
-  this->Columns.Deactivate();
   this->Mean.End();
 
   program = this->MakeBounds.Use(window);
@@ -124,9 +121,6 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   lights.ActivateLobes(program);
   this->Activate(program);
   this->MakeBounds.Draw();
-  this->Deactivate();
-  lights.DeactivateLobes();
-  lights.Deactivate();
   this->Bounds.End();
   return true;
 }
@@ -139,7 +133,7 @@ std::string vtkIndirectSplatTable::GetDefinitions(bool lobes) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSplatTable::Activate(vtkShaderProgram* program) const
+void vtkIndirectSplatTable::Activate(const vtkIndirectProgram& program) const
 {
   const double length = vtkIndirectKernels::VTKI_SPLAT_LENGTH;
   program->SetUniformf(
@@ -155,15 +149,8 @@ void vtkIndirectSplatTable::Activate(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSplatTable::Deactivate() const
-{
-  this->Mean.Deactivate();
-  this->Bounds.Deactivate();
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSplatTable::Activate(
-  const vtkIndirectEstimateInput& input, vtkShaderProgram* program) const
+  const vtkIndirectEstimateInput& input, const vtkIndirectProgram& program) const
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
@@ -172,14 +159,4 @@ void vtkIndirectSplatTable::Activate(
   input.Lights->Activate(program);
   input.Lights->ActivateLobes(program);
   this->Activate(program);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSplatTable::Deactivate(const vtkIndirectEstimateInput& input) const
-{
-  input.Geometry.GetTarget().Deactivate();
-  input.Visibility.Deactivate();
-  input.Lights->DeactivateLobes();
-  input.Lights->Deactivate();
-  this->Deactivate();
 }

@@ -23,18 +23,12 @@ public:
    */
   bool Update(const vtkIndirectEstimateInput& input, double threshold, bool fades);
 
-  ///@{
-  /** Bind the textures of vtkIndirectSplatLight.glsl and vtkIndirectSplatBounds.glsl; pair. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
-  ///@}
+  /** Bind the textures of vtkIndirectSplatLight.glsl and vtkIndirectSplatBounds.glsl. */
+  void Activate(const vtkIndirectProgram& program) const;
 
-  ///@{
   /** Bind these and the inputs of a sum at receivers: eye, surfaces, lights and their lobes,
-   * visibility; pair. */
-  void Activate(const vtkIndirectEstimateInput& input, vtkShaderProgram* program) const;
-  void Deactivate(const vtkIndirectEstimateInput& input) const;
-  ///@}
+   * visibility. */
+  void Activate(const vtkIndirectEstimateInput& input, const vtkIndirectProgram& program) const;
 
   /** Definitions for shaders that read the table: lights have lobes, splats fade. */
   std::string GetDefinitions(bool lobes) const;

@@ -65,7 +65,6 @@ private:
   vtkOpenGLState::ScopedglDepthFunc Func;
   vtkOpenGLState::ScopedglBlendFuncSeparate Blend;
 };
-
 }
 
 //------------------------------------------------------------------------------
@@ -84,7 +83,7 @@ bool vtkIndirectSplats::SumGlossy(const vtkIndirectEstimateInput& input,
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectSplats::Use(
+vtkIndirectProgram vtkIndirectSplats::Use(
   Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions)
 {
   if (shaders.VertexText.empty() || definitions != shaders.Definitions)
@@ -103,7 +102,7 @@ vtkShaderProgram* vtkIndirectSplats::Use(
   }
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
     shaders.VertexText.c_str(), shaders.FragmentText.c_str(), "");
-  return program && program->GetCompiled() ? program : nullptr;
+  return vtkIndirectProgram(program && program->GetCompiled() ? program : nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -134,7 +133,7 @@ bool vtkIndirectSplats::SumBlended(
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, vtkShaderProgram* program)
+  const vtkIndirectSplatTable& table, const vtkIndirectProgram& program)
 {
   if (!program)
   {
@@ -157,7 +156,6 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
       glFlush();
     }
   }
-  table.Deactivate(input);
   return true;
 }
 
@@ -169,7 +167,7 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   const vtkIndirectFrame& frame = input.Frame;
   tiles.SetDefinitions(std::string(input.Visibility.GetDefinitions()) +
     input.Lights->GetDefinitions() + table.GetDefinitions(input.Lights->HasLobes()));
-  vtkShaderProgram* program = tiles.Use(frame.Window);
+  vtkIndirectProgram program = tiles.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -198,7 +196,6 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
   glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
-  table.Deactivate(input);
   return true;
 #else
   return input.Lights && table.GetBytes() > 0 && sum.GetWidth() > 0;

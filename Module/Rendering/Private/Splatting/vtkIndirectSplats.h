@@ -13,7 +13,6 @@
 
 class vtkIndirectSplatTable;
 class vtkIndirectTarget;
-class vtkShaderProgram;
 
 class vtkIndirectSplats : public vtkIndirectResource
 {
@@ -44,13 +43,13 @@ private:
     std::string VertexText;
     std::string FragmentText;
   };
-  static vtkShaderProgram* Use(
+  static vtkIndirectProgram Use(
     Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions);
   bool SumBlended(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectTarget& sum);
   bool Draw(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     /** Runs the compute program for blocks of lights. */
-    vtkShaderProgram* program);
+    const vtkIndirectProgram& program);
   static bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum);
 

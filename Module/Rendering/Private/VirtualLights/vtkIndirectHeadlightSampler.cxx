@@ -25,7 +25,7 @@ bool vtkIndirectHeadlightSampler::Update(const Input& input)
   }
   vtkIndirectTarget& table = this->BeginChange();
   this->Program.SetDefinitions(input.Geometry.GetAlbedoDefinitions());
-  vtkShaderProgram* program = this->Program.Use(frame.Window);
+  vtkIndirectProgram program = this->Program.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -44,8 +44,6 @@ bool vtkIndirectHeadlightSampler::Update(const Input& input)
       glm::vec3(-glm::normalize(glm::dmat3(frame.WorldToView) * light.DirectionWC)));
     program->SetUniformi("vtkiParallel", frame.Parallel ? 1 : 0);
     this->Program.Draw();
-    input.Geometry.GetTarget().Deactivate();
-    this->Texture.Deactivate();
   }
   table.End();
   return true;

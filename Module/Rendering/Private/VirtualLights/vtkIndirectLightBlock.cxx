@@ -78,17 +78,11 @@ void vtkIndirectLightBlock::Update(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLightBlock::Activate(vtkShaderProgram* program) const
+void vtkIndirectLightBlock::Activate(const vtkIndirectProgram& program) const
 {
   this->Block.Activate(program);
   this->Lights->Activate(program);
   program->SetUniformi("vtkiFirstLight", this->First);
   program->SetUniformi("vtkiLightCount", this->Count);
   program->SetUniformi("vtkiBlockCount", std::min(this->Count, this->Capacity));
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectLightBlock::Deactivate() const
-{
-  this->Lights->Deactivate();
 }

@@ -10,7 +10,6 @@
 
 class vtkIndirectVirtualLights;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectLightBlock : public vtkIndirectResource
 {
@@ -34,9 +33,8 @@ public:
   void Update(
     vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights, int first, int count);
   int GetNumberOfLights() const { return this->Count; }
-  /** Bind the block, and the table with the lights beyond its capacity; pair. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
+  /** Bind the block, and the table with the lights beyond its capacity. */
+  void Activate(const vtkIndirectProgram& program) const;
 
 protected:
   void ReleaseOwn(vtkWindow*) override { this->Capacity = 0; }

@@ -121,7 +121,7 @@ bool vtkIndirectMapSampler::Update(const Input& input)
     return false;
   }
   in.Program.SetDefinitions(drawing.Modulated ? "#define VTKI_AMBIENT_OCCLUSION\n" : "");
-  vtkShaderProgram* program = in.Program.Use(window);
+  vtkIndirectProgram program = in.Program.Use(window);
   if (!program)
   {
     return false;
@@ -133,8 +133,6 @@ bool vtkIndirectMapSampler::Update(const Input& input)
     maps.Activate(program);
     program->SetUniformf("vtkiShareOfArea", static_cast<float>(drawing.ShareOfArea));
     in.Program.Draw();
-    maps.Deactivate();
-    warped ? in.Warp.Deactivate() : in.Pattern.Deactivate();
   }
   table.End();
   if (!this->DrawLobes(input, warped))
@@ -157,7 +155,7 @@ bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
     return true;
   }
   vtkIndirectTarget* lobes = this->MakeLobes(window);
-  vtkShaderProgram* program = lobes ? in.LobeProgram.Use(window) : nullptr;
+  vtkIndirectProgram program = lobes ? in.LobeProgram.Use(window) : nullptr;
   if (!program)
   {
     return false;
@@ -168,8 +166,6 @@ bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
     warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
     input.Maps.Activate(program);
     in.LobeProgram.Draw();
-    input.Maps.Deactivate();
-    warped ? in.Warp.Deactivate() : in.Pattern.Deactivate();
   }
   lobes->End();
   return true;

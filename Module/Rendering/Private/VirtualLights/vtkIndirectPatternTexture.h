@@ -10,7 +10,6 @@
 #include <vector> // for sources
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectPatternTexture : public vtkIndirectDataTexture
 {
@@ -23,8 +22,8 @@ public:
 
   int GetNumberOfSamples() const { return this->NumberOfSamples; }
 
-  /** Binds the texture; pair with Deactivate. */
-  void Activate(vtkShaderProgram* program) const
+  /** Binds the texture. */
+  void Activate(const vtkIndirectProgram& program) const
   {
     this->vtkIndirectDataTexture::Activate(program, "vtkiPattern");
   }

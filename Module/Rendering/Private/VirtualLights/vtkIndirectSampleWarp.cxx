@@ -93,7 +93,7 @@ bool vtkIndirectSampleWarp::UpdateCharts(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSampleWarp::ActivateCharts(vtkShaderProgram* program) const
+void vtkIndirectSampleWarp::ActivateCharts(const vtkIndirectProgram& program) const
 {
   this->ChartTexture.Activate(program, "vtkiCharts");
   program->SetUniformi("vtkiCells", this->Cells);
@@ -103,7 +103,7 @@ void vtkIndirectSampleWarp::ActivateCharts(vtkShaderProgram* program) const
 
 //------------------------------------------------------------------------------
 void vtkIndirectSampleWarp::ActivateNodes(
-  int parity, vtkShaderProgram* program, const char* lit, const char* flux) const
+  int parity, const vtkIndirectProgram& program, const char* lit, const char* flux) const
 {
   const vtkIndirectTarget& nodes = parity == 0 ? this->Even : this->Odd;
   nodes.Activate(0, program, lit);
@@ -122,7 +122,7 @@ bool vtkIndirectSampleWarp::SumNodes(
   vtkOpenGLState* state = window->GetState();
   const int height = this->Rows * (this->Cells / 2);
   int begin[2] = { this->FindLevelWidth(0), 0 };
-  vtkShaderProgram* program = this->ImportanceProgram.Use(
+  vtkIndirectProgram program = this->ImportanceProgram.Use(
     window, definitions + (maps.HasSpecular() ? "#define VTKI_SPECULAR\n" : ""));
   if (!program)
   {
@@ -136,8 +136,6 @@ bool vtkIndirectSampleWarp::SumNodes(
     "vtkiScale", static_cast<float>(this->Strongest > 0.0 ? 1.0 / this->Strongest : 1.0));
   program->SetUniformf("vtkiOcclusion", static_cast<float>(occlusion));
   this->ImportanceProgram.Draw();
-  this->ChartTexture.Deactivate();
-  maps.Deactivate();
   this->Even.End();
   int below = 0;
   for (int level = 1; level < this->Levels; ++level)
@@ -155,7 +153,6 @@ bool vtkIndirectSampleWarp::SumNodes(
     program->SetUniformi("vtkiBelow", below);
     program->SetUniformi("vtkiBegin", begin[parity]);
     this->SumProgram.Draw();
-    (parity == 0 ? this->Odd : this->Even).Deactivate();
     nodes.End();
     below = begin[parity];
     begin[parity] += this->FindLevelWidth(level);
@@ -174,7 +171,7 @@ bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window, const vtkIndirec
     return false;
   }
   this->WarpProgram.SetDefinitions(this->WithFlux ? "#define VTKI_FLUX\n" : "");
-  vtkShaderProgram* program = this->WarpProgram.Use(window);
+  vtkIndirectProgram program = this->WarpProgram.Use(window);
   if (!program)
   {
     return false;
@@ -195,11 +192,6 @@ bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window, const vtkIndirec
       program->SetUniformi("vtkiWarpedLevels", drawing.Levels);
     }
     this->WarpProgram.Draw();
-    this->Odd.Deactivate();
-    this->Even.Deactivate();
-    this->ChartTexture.Deactivate();
-    maps.Deactivate();
-    pattern.Deactivate();
   }
   this->Samples.End();
   return true;
@@ -226,15 +218,9 @@ bool vtkIndirectSampleWarp::Update(vtkOpenGLRenderWindow* window, const vtkIndir
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSampleWarp::Activate(vtkShaderProgram* program) const
+void vtkIndirectSampleWarp::Activate(const vtkIndirectProgram& program) const
 {
   this->Samples.Activate(0, program);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSampleWarp::Deactivate() const
-{
-  this->Samples.Deactivate();
 }
 
 //------------------------------------------------------------------------------

@@ -41,9 +41,8 @@ public:
   bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
     const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
 
-  /** Binds the samples in place of a pattern; pair with Deactivate. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
+  /** Binds the samples in place of a pattern. */
+  void Activate(const vtkIndirectProgram& program) const;
 
   /** Cells along the edge of a chart, after Update. */
   int GetCells() const { return this->Cells; }
@@ -56,9 +55,9 @@ private:
   bool SumNodes(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps, double occlusion);
   bool Warp(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
     const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
-  void ActivateCharts(vtkShaderProgram* program) const;
+  void ActivateCharts(const vtkIndirectProgram& program) const;
   void ActivateNodes(
-    int parity, vtkShaderProgram* program, const char* lit, const char* flux) const;
+    int parity, const vtkIndirectProgram& program, const char* lit, const char* flux) const;
   int FindLevelWidth(int level) const { return this->Columns * (this->Cells / 2) >> level; }
 
   // The inputs of the nodes.

@@ -54,17 +54,11 @@ public:
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
   const vtkIndirectTarget& GetTable() const { return *this->Current; }
 
-  ///@{
-  /** Bind the table, and the branches if there are any, and set its extent; pair. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
-  ///@}
+  /** Bind the table, and the branches if there are any, and set its extent. */
+  void Activate(const vtkIndirectProgram& program) const;
 
-  ///@{
-  /** Bind the lobes, if there are any; pair. */
-  void ActivateLobes(vtkShaderProgram* program) const;
-  void DeactivateLobes() const;
-  ///@}
+  /** Bind the lobes, if there are any. */
+  void ActivateLobes(const vtkIndirectProgram& program) const;
 
   ///@{
   /**
@@ -84,7 +78,7 @@ protected:
 private:
   static void Copy(
     const vtkIndirectFrame& frame, const vtkIndirectTarget& table, int count, vtkImageData* image);
-  void ActivateBranches(vtkShaderProgram* program) const;
+  void ActivateBranches(const vtkIndirectProgram& program) const;
   bool Join(const Input& input, const Samplers& samplers);
   enum Part
   {

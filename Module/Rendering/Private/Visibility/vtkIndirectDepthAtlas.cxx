@@ -387,7 +387,7 @@ void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::Activate(vtkShaderProgram* program) const
+void vtkIndirectDepthAtlas::Activate(const vtkIndirectProgram& program) const
 {
   this->Depths.ActivateDepth(program, "vtkiDepthTiles");
   vtkIndirectSetUniform(
@@ -396,12 +396,6 @@ void vtkIndirectDepthAtlas::Activate(vtkShaderProgram* program) const
   {
     program->SetUniformi("vtkiReceiversCast", this->ReceiversCast ? 1 : 0);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::Deactivate() const
-{
-  this->Depths.Deactivate();
 }
 
 //------------------------------------------------------------------------------

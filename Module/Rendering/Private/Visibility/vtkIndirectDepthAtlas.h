@@ -77,9 +77,8 @@ public:
   /** Returns the number of maps, the last ones, that have no room even with the smallest tiles. */
   int GetNumberOfTilesTooMany() const { return this->NumberOfTilesTooMany; }
 
-  /** Binds the depths and sets vtkiDepthTiles and vtkiTileShape; pair. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
+  /** Binds the depths and sets vtkiDepthTiles and vtkiTileShape. */
+  void Activate(const vtkIndirectProgram& program) const;
 
   int GetNumberOfTiles() const { return static_cast<int>(this->Drawn.size()); }
   int GetTexels() const { return this->Texels; }

@@ -116,7 +116,7 @@ void vtkIndirectDistanceField::Build(const vtkIndirectOccupancyVolume& volume)
 
 //------------------------------------------------------------------------------
 void vtkIndirectDistanceField::Activate(
-  vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const
 {
   if (this->Texture.IsEmpty())
   {

@@ -14,7 +14,6 @@
 
 class vtkIndirectOccupancyVolume;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectDistanceField : public vtkIndirectResource
 {
@@ -35,9 +34,8 @@ public:
     return (position - this->Origin) * this->VoxelsPerUnit;
   }
 
-  /** Binds the distances for vtkIndirectVisibility.glsl; pair with Deactivate. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
-  void Deactivate() const { this->Texture.Deactivate(); }
+  /** Binds the distances for vtkIndirectVisibility.glsl. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
   size_t GetMainMemoryBytes() const { return this->Voxels.size(); }
 
 private:

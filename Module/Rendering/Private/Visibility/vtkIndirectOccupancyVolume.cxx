@@ -324,7 +324,7 @@ size_t vtkIndirectOccupancyVolume::GetNumberOfOccupiedVoxels() const
 
 //------------------------------------------------------------------------------
 void vtkIndirectOccupancyVolume::Activate(
-  vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const
 {
   if (this->Texture.IsEmpty())
   {
@@ -338,12 +338,6 @@ void vtkIndirectOccupancyVolume::Activate(
   const float size[3] = { static_cast<float>(this->Size.x), static_cast<float>(this->Size.y),
     static_cast<float>(this->Size.z) };
   program->SetUniform3f("vtkiOccupancySize", size);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectOccupancyVolume::Deactivate() const
-{
-  this->Texture.Deactivate();
 }
 
 //------------------------------------------------------------------------------

@@ -26,7 +26,6 @@
 class vtkIndirectDistanceField;
 class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectOccupancyVolume : public vtkIndirectResource
 {
@@ -99,9 +98,8 @@ public:
   };
   const std::vector<LeftOutProp>& GetLeftOut() const { return this->LeftOut; }
 
-  /** Binds the bits for vtkIndirectOccupancy.glsl; pair with Deactivate. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
-  void Deactivate() const;
+  /** Binds the bits for vtkIndirectOccupancy.glsl. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
   /** Returns the bytes of voxels, their distances and their planes. */
   size_t GetMainMemoryBytes() const;
 

@@ -325,12 +325,11 @@ bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
   vtkIndirectFullScreenState kernelState(frame.Window);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   this->Tiles.Begin();
-  vtkShaderProgram* program = this->Kernel.Use(frame.Window);
+  vtkIndirectProgram program = this->Kernel.Use(frame.Window);
   if (program)
   {
     this->Atlas.Activate(program);
     this->Kernel.Draw();
-    this->Atlas.Deactivate();
     this->Joined = this->Atlas.GetNumberOfTilesDrawn();
   }
   this->Tiles.End();
@@ -359,7 +358,10 @@ void vtkIndirectPenumbra::Activate(vtkIndirectShadowMaps& shadows)
 //------------------------------------------------------------------------------
 void vtkIndirectPenumbra::Deactivate() const
 {
-  this->Tiles.Deactivate();
+  if (!this->Lights.empty())
+  {
+    this->Tiles.GetTexture(0)->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------

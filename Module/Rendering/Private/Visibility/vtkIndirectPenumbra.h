@@ -40,9 +40,11 @@ public:
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectLightMaps& maps,
     vtkSurfaceCapturePass* capture);
 
-  /** Adds its maps to the shadows and binds them; pair with Deactivate. */
+  ///@{
+  /** Add its maps to the shadows and bind them; pair. */
   void Activate(vtkIndirectShadowMaps& shadows);
   void Deactivate() const;
+  ///@}
 
   void AddToReport(vtkIndirectReport& report) const;
 

@@ -283,7 +283,8 @@ void vtkIndirectSphereGrid::Upload(vtkOpenGLRenderWindow* window) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSphereGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
+void vtkIndirectSphereGrid::Activate(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const
 {
   if (this->CellTexture.IsEmpty())
   {
@@ -294,13 +295,6 @@ void vtkIndirectSphereGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
   const glm::vec3 lower(this->Origin);
   const float origin[4] = { lower.x, lower.y, lower.z, static_cast<float>(this->Scale) };
   program->SetUniform4f("vtkiSphereOrigin", origin);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSphereGrid::Deactivate() const
-{
-  this->CellTexture.Deactivate();
-  this->ListTexture.Deactivate();
 }
 
 //------------------------------------------------------------------------------

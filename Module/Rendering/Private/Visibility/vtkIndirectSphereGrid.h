@@ -18,7 +18,6 @@
 #include <vector>      // for lists
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
 class vtkIndirectSphereGrid : public vtkIndirectResource
 {
@@ -65,9 +64,8 @@ public:
    */
   double GetNumberOfSteps() const { return this->NumberOfSteps; }
 
-  /** Binds lists and spheres for vtkIndirectSphereSegments.glsl; pair with Deactivate. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
-  void Deactivate() const;
+  /** Binds lists and spheres for vtkIndirectSphereSegments.glsl. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
   size_t GetMainMemoryBytes() const;
 
 private:

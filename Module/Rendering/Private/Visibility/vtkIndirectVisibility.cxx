@@ -337,7 +337,8 @@ std::string vtkIndirectVisibility::GetDefinitions() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
+void vtkIndirectVisibility::Activate(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const
 {
   if (this->LooksUpMaps())
   {
@@ -355,25 +356,6 @@ void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
   if (this->WalksSpheres())
   {
     this->Spheres.Activate(window, program);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectVisibility::Deactivate() const
-{
-  if (this->LooksUpMaps())
-  {
-    this->Atlas.Deactivate();
-    this->Owners.Deactivate();
-    return;
-  }
-  if (this->WalksVoxels())
-  {
-    this->Volume->GetDistanceField().Deactivate();
-  }
-  if (this->WalksSpheres())
-  {
-    this->Spheres.Deactivate();
   }
 }
 

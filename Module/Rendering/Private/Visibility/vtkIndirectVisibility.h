@@ -23,7 +23,6 @@ class vtkIndirectSurfaces;
 class vtkIndirectVirtualLights;
 class vtkOpenGLRenderWindow;
 class vtkProp;
-class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
@@ -92,11 +91,8 @@ public:
    * hides.
    */
   std::string GetDefinitions() const;
-  ///@{
-  /** Bind what the definitions' shaders read, or nothing if nothing hides senders; pair. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
-  void Deactivate() const;
-  ///@}
+  /** Bind what the definitions' shaders read, or nothing if nothing hides senders. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
 
   /** Returns the voxels, empty where no stage needs them. */
   const vtkIndirectOccupancyVolume& GetVolume() const { return *this->Volume; }
