@@ -129,9 +129,6 @@ bool SplatSum::Sum(const Input& input)
   {
     return false;
   }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
 
   const bool cuts = this->Set.GetIntensityThreshold() > 0.0;

@@ -293,9 +293,6 @@ bool ProxySum::FindReach(vtkEnvironmentLight* environment)
 bool ProxySum::Sum(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   const auto stage = input.Plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR
     ? vtkIndirectStageTimer::Estimate

@@ -223,10 +223,6 @@ bool GatherSum::Sum(const Input& input)
   }
 
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
 
   const std::string definitions = std::string(input.Visibility.GetDefinitions()) +

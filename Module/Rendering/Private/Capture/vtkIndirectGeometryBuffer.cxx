@@ -172,11 +172,7 @@ bool vtkIndirectGeometryBuffer::DrawMore(
   const vtkIndirectFrame& frame, const std::function<bool()>& draw)
 {
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
   this->Target->Begin();
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglEnable(GL_DEPTH_TEST);
@@ -202,8 +198,6 @@ bool vtkIndirectGeometryBuffer::Clear(vtkOpenGLRenderWindow* window, bool backgr
 {
   vtkOpenGLState* state = window->GetState();
   vtkIndirectFullScreenState kernelState(window);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
   if (!this->ClearKernel->Use(window))
   {
     return false;

@@ -188,8 +188,6 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
 {
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   vtkIndirectProgram program = this->FindContrasts.Use(frame.Window, this->Definitions);
   if (!program)
@@ -234,7 +232,6 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
 //------------------------------------------------------------------------------
 bool vtkIndirectAntialiasing::Internals::FindEdgeWords(const vtkIndirectFrame& frame)
 {
-  vtkOpenGLState::ScopedglScissor scissor(frame.Window->GetState());
   vtkIndirectFullScreenState kernelState(frame.Window);
   vtkIndirectProgram program = this->FindEdges.Use(frame.Window);
   if (!program)

@@ -306,9 +306,6 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
     size[1] = input.Maps->GetTexels();
     size[0] = input.Maps->GetMap(map).NumberOfFaces * size[1];
   }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   vtkIndirectFullScreenProgram& kernel = ofMap ? in.DrawMapChannel : in.DrawChannel;
   if (!in.Image.Resize(frame.Window, size[0], size[1]))
@@ -355,10 +352,6 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::function
     { "", "", "", 0, 3, 1.0f, 0.0f } };
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   if (!in.Image.Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {

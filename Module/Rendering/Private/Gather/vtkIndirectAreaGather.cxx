@@ -124,11 +124,7 @@ bool vtkIndirectAreaGather::SumAll(const Input& input)
   {
     return false;
   }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkIndirectFullScreenState kernelState(frame.Window);
   if (input.Still)
   {
     return this->SumIrradiance(input);
@@ -137,7 +133,6 @@ bool vtkIndirectAreaGather::SumAll(const Input& input)
   {
     return false;
   }
-  vtkIndirectFullScreenState kernelState(frame.Window);
   return this->SumLobes(input);
 }
 

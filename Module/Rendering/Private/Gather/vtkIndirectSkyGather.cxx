@@ -302,10 +302,6 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
     return false;
   }
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   bool done = true;

@@ -48,7 +48,6 @@ bool vtkIndirectShadowRows::Update(
     return true;
   }
   vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
   vtkIndirectFullScreenState kernelState(window);
   vtkIndirectProgram program = this->Kernel.Use(window);
   if (!program)

@@ -149,13 +149,6 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     return {};
   }
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState fullScreenState(window);
 
   this->NumberOfLights = input.Lights->GetNumberOfLights();

@@ -52,9 +52,6 @@ bool vtkIndirectHintSenders::Update(const Input& input)
       "Hints cannot read " << count << " blocks of the lights' maps; use fewer lights.");
     return false;
   }
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   if (!this->Resize(window, count))
   {
     return false;
@@ -67,8 +64,8 @@ bool vtkIndirectHintSenders::Update(const Input& input)
   }
   if (program)
   {
-    table.Begin();
     vtkIndirectFullScreenState fullScreen(window);
+    table.Begin();
     maps.Activate(program);
     program->SetUniformi("vtkiBlocks", this->BlocksPerEdge);
     program->SetUniformi("vtkiReads", ReadsPerBlockEdge);

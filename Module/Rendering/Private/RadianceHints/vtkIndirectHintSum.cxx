@@ -143,11 +143,6 @@ vtkIndirectVisibilityNeeds vtkIndirectHintSum::GetVisibilityNeeds(const vtkIndir
 vtkIndirectEstimate vtkIndirectHintSum::Estimate(const Input& input)
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState fullScreenState(window);
 
   if (!input.Lights)

@@ -97,9 +97,7 @@ bool vtkIndirectMapSampler::Update(const Input& input)
     return true;
   }
   in.MapTime = 0;
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkIndirectFullScreenState fullScreen(window);
   if (!this->Resize(window, in.Pattern.GetNumberOfSamples()))
   {
     return false;
@@ -127,13 +125,10 @@ bool vtkIndirectMapSampler::Update(const Input& input)
     return false;
   }
   table.Begin();
-  {
-    vtkIndirectFullScreenState fullScreen(window);
-    warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
-    maps.Activate(program);
-    program->SetUniformf("vtkiShareOfArea", static_cast<float>(drawing.ShareOfArea));
-    in.Program.Draw();
-  }
+  warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
+  maps.Activate(program);
+  program->SetUniformf("vtkiShareOfArea", static_cast<float>(drawing.ShareOfArea));
+  in.Program.Draw();
   table.End();
   if (!this->DrawLobes(input, warped))
   {

@@ -320,8 +320,6 @@ bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
     return true;
   }
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   this->Tiles.Begin();
