@@ -3,6 +3,8 @@
 
 #include "OpenGL/vtkIndirectPointProgram.h"
 
+#include "OpenGL/vtkIndirectBackEndChoices.h"
+#include "OpenGL/vtkIndirectFlatUniforms.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -10,10 +12,11 @@
 
 //------------------------------------------------------------------------------
 vtkIndirectPointProgram::vtkIndirectPointProgram(
-  vtkIndirectResource* owner, const char* vertexStage, const char* fragmentStage)
+  vtkIndirectResource* owner, const char* vertexStage, const char* fragmentStage, int varyings)
   : vtkIndirectResource(owner)
   , VertexStage(vertexStage)
   , FragmentStage(fragmentStage)
+  , Varyings(varyings)
 {
 }
 
@@ -36,6 +39,12 @@ vtkIndirectProgram vtkIndirectPointProgram::Use(
     this->Definitions = definitions;
     this->VertexText = vtkIndirectShaderLibrary::GetShader(this->VertexStage, definitions);
     this->FragmentText = vtkIndirectShaderLibrary::GetShader(this->FragmentStage, definitions);
+    if (this->Varyings > 0 &&
+      vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Uniforms) ==
+        vtkIndirectBackEndChoices::UniformsFlat)
+    {
+      vtkIndirectFlatUniforms::Move(this->VertexText, this->FragmentText, this->Varyings);
+    }
   }
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
     this->VertexText.c_str(), this->FragmentText.c_str(), "");
@@ -72,6 +81,7 @@ void vtkIndirectPointProgram::DrawRectangle()
 //------------------------------------------------------------------------------
 void vtkIndirectPointProgram::ReleaseOwn(vtkWindow*)
 {
+  this->VertexText.clear();
   if (this->VertexArray)
   {
     glDeleteVertexArrays(1, &this->VertexArray);

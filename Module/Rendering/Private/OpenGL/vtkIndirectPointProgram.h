@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A program that draws points, or a rectangle of four, which its vertex shader makes from their
-// numbers.
+// A program of a vertex and a fragment stage file. It draws points, or a rectangle of four, which
+// its vertex shader makes from their numbers, or what its user draws.
 #ifndef vtkIndirectPointProgram_h
 #define vtkIndirectPointProgram_h
 
@@ -14,9 +14,12 @@
 class vtkIndirectPointProgram : public vtkIndirectResource
 {
 public:
-  /** Files in glsl/stage. */
-  vtkIndirectPointProgram(
-    vtkIndirectResource* owner, const char* vertexStage, const char* fragmentStage);
+  /**
+   * Files in glsl. varyings: most components of varyings in which a back end without fast uniforms
+   * hands uniforms to the fragment shader (vtkIndirectFlatUniforms).
+   */
+  vtkIndirectPointProgram(vtkIndirectResource* owner, const char* vertexStage,
+    const char* fragmentStage, int varyings = 0);
   ~vtkIndirectPointProgram() override;
 
   /**
@@ -37,6 +40,7 @@ protected:
 private:
   std::string VertexStage;
   std::string FragmentStage;
+  int Varyings;
   std::string Definitions;
   std::string VertexText;
   std::string FragmentText;

@@ -34,16 +34,6 @@ enum ModeType
   REST,
   SENDERS
 };
-
-#ifdef GL_COMPUTE_SHADER
-// The next user of the images may sample them, draw over them, add to them, read them back or
-// replace them.
-void FinishImages()
-{
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-}
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -229,9 +219,8 @@ bool vtkIndirectProxySums::SumRest(
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& image)
 {
-#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  vtkIndirectProgram program = this->Choosing.Use(frame.Window);
+  const vtkIndirectProgram program = this->Choosing.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -240,33 +229,18 @@ bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& ima
   this->Rest.Begin(frame.Window, 2 * pixels);
   this->Activate(input, program);
   this->Rest.Activate(program, "vtkiProxyPixels");
-  glBindImageTexture(
-    0, image.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  glBindImageTexture(
-    1, this->Counts.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32F);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  glDispatchCompute(static_cast<GLuint>((this->Counts.GetWidth() + SharedTile - 1) / SharedTile),
-    static_cast<GLuint>((this->Counts.GetHeight() + SharedTile - 1) / SharedTile), 1);
-  glMemoryBarrier(
-    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-  for (GLuint i = 0; i < 2; ++i)
-  {
-    glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  }
+  this->Choosing.AddImages(image);
+  this->Choosing.AddImages(this->Counts, 1);
+  this->Choosing.Run(this->Counts.GetWidth(), this->Counts.GetHeight(), SharedTile);
   return true;
-#else
-  return image.GetWidth() > 0 && input.Step > 0;
-#endif
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::ShareRest(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
-#ifdef GL_COMPUTE_SHADER
-  const vtkIndirectFrame& frame = input.Frame;
   this->Sharing.SetDefinitions(definitions);
-  vtkIndirectProgram program = this->Sharing.Use(frame.Window);
+  const vtkIndirectProgram program = this->Sharing.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -277,80 +251,43 @@ bool vtkIndirectProxySums::ShareRest(
   {
     this->Shared.Activate(i, program);
   }
-  this->BindImages(image, 0, true);
   this->Rest.Activate(program, "vtkiProxyPixels");
-  this->Rest.Dispatch(1);
-  FinishImages();
-  this->BindImages(image, 0, false);
+  this->Sharing.AddImages(image);
+  this->Sharing.Run(this->Rest, 1);
   return true;
-#else
-  return image.GetWidth() > 0 && definitions.empty() && input.Step > 0;
-#endif
-}
-
-//------------------------------------------------------------------------------
-// Binds all channels of a target as images from a unit on, or unbinds them.
-void vtkIndirectProxySums::BindImages(vtkIndirectTarget& target, int unit, bool binds)
-{
-#ifdef GL_COMPUTE_SHADER
-  for (int i = 0; i < target.GetNumberOfChannels(); ++i)
-  {
-    glBindImageTexture(static_cast<GLuint>(unit + i), binds ? target.GetTexture(i)->GetHandle() : 0,
-      0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  }
-#endif
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::SumInTiles(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode)
 {
-#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  this->Tiles[mode].SetDefinitions(definitions +
-    (this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n" : "") +
+  vtkIndirectComputeProgram& tiles = this->Tiles[mode];
+  tiles.SetDefinitions(definitions + (this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n" : "") +
     (mode == PIXELS ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
-  vtkIndirectProgram program = this->Tiles[mode].Use(frame.Window);
+  const vtkIndirectProgram program = tiles.Use(frame.Window);
   if (!program)
   {
     return false;
   }
   this->Activate(input, program);
+  tiles.AddImages(image, mode == PIXELS || mode == REST ? PixelUnit : 0);
+  if (mode == REST)
+  {
+    tiles.AddImages(this->Shared);
+    this->Rest.Activate(program, "vtkiProxyPixels");
+    tiles.Run(this->Rest, 0);
+    return true;
+  }
   const int senders[2] = {
     (this->Tables.GetNumberOfSenders() + RowLength - 1) / RowLength * TileSize, TileSize
   };
   const int* const size = mode == COARSE ? this->CoarseSize
     : mode == SENDERS                    ? senders
                                          : frame.Size;
-  const bool ofPixels = mode == PIXELS || mode == REST;
-  const auto bind = [&](bool binds)
-  {
-    this->BindImages(image, ofPixels ? PixelUnit : 0, binds);
-    if (mode == REST)
-    {
-      this->BindImages(this->Shared, 0, binds);
-    }
-  };
-  bind(true);
-  // Waits for the kernel's inputs, which llvmpipe does not do by itself.
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  if (mode == REST)
-  {
-    this->Rest.Activate(program, "vtkiProxyPixels");
-    this->Rest.Dispatch(0);
-  }
-  else
-  {
-    glDispatchCompute(static_cast<GLuint>((size[0] + TileSize - 1) / TileSize),
-      static_cast<GLuint>((size[1] + TileSize - 1) / TileSize), 1);
-  }
-  FinishImages();
-  bind(false);
+  tiles.Run(size[0], size[1], TileSize);
   return true;
-#else
-  return image.GetWidth() > 0 && mode >= 0 && definitions.empty() && input.Step > 0;
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -362,10 +299,8 @@ bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definiti
   {
     return false;
   }
-  const vtkIndirectProgram program(frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatVS.glsl", definitions).c_str(),
-    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatFS.glsl", definitions).c_str(), ""));
-  if (!program || !program->GetCompiled())
+  const vtkIndirectProgram program = this->Splatting.Use(frame.Window, definitions);
+  if (!program)
   {
     return false;
   }

@@ -9,6 +9,7 @@
 #include "OpenGL/vtkIndirectCommandBuffer.h"     // for a member
 #include "OpenGL/vtkIndirectComputeProgram.h"    // for members
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectPointProgram.h"      // for a member
 #include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "Proxies/vtkIndirectProxyLight.h"       // for a member
@@ -58,7 +59,6 @@ private:
   bool LightSenders(const Input& input);
   bool SumInTiles(
     const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode);
-  static void BindImages(vtkIndirectTarget& target, int unit, bool binds);
   bool SumRest(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
   bool ChooseRest(const Input& input, vtkIndirectTarget& image);
   bool ShareRest(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
@@ -87,6 +87,8 @@ private:
     { this, "vtkIndirectProxyTilesCS.glsl" } };
   vtkIndirectFullScreenProgram Sending{ this, "vtkIndirectProxySendersFS.glsl" };
   vtkIndirectFullScreenProgram Averaging{ this, "vtkIndirectProxySendersFS.glsl" };
+  vtkIndirectPointProgram Splatting{ this, "vtkIndirectProxySplatVS.glsl",
+    "vtkIndirectProxySplatFS.glsl" };
   vtkIndirectFullScreenProgram Upsampling{ this, "vtkIndirectProxyUpsampleFS.glsl" };
   vtkIndirectFullScreenProgram Background{ this, "vtkIndirectClearFS.glsl" };
   vtkIndirectFullScreenProgram Resolving{ this, "vtkIndirectProxyResolveFS.glsl" };

@@ -83,29 +83,6 @@ bool vtkIndirectSplats::SumGlossy(const vtkIndirectEstimateInput& input,
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectProgram vtkIndirectSplats::Use(
-  Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions)
-{
-  if (shaders.VertexText.empty() || definitions != shaders.Definitions)
-  {
-    shaders.Definitions = definitions;
-    shaders.VertexText =
-      vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatVS.glsl", definitions);
-    shaders.FragmentText =
-      vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatFS.glsl", definitions);
-    if (vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Uniforms) ==
-      vtkIndirectBackEndChoices::UniformsFlat)
-    {
-      // A splat has few pixels for each triangle: more varyings cost more than they save.
-      vtkIndirectFlatUniforms::Move(shaders.VertexText, shaders.FragmentText, 64);
-    }
-  }
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    shaders.VertexText.c_str(), shaders.FragmentText.c_str(), "");
-  return vtkIndirectProgram(program && program->GetCompiled() ? program : nullptr);
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectSplats::SumBlended(
   const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, vtkIndirectTarget& sum)
 {
@@ -120,11 +97,11 @@ bool vtkIndirectSplats::SumBlended(
   {
     const SplatState splats(state);
     done = this->Draw(
-      input, table, Use(this->OfLights, window, definitions + table.GetDefinitions(false)));
+      input, table, this->OfLights.Use(window, definitions + table.GetDefinitions(false)));
     if (done && input.Lights->HasLobes())
     {
       done = this->Draw(
-        input, table, Use(this->OfLobes, window, definitions + table.GetDefinitions(true)));
+        input, table, this->OfLobes.Use(window, definitions + table.GetDefinitions(true)));
     }
   }
   sum.End();
@@ -163,11 +140,10 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
 bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   const vtkIndirectSplatTable& table, vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum)
 {
-#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   tiles.SetDefinitions(std::string(input.Visibility.GetDefinitions()) +
     input.Lights->GetDefinitions() + table.GetDefinitions(input.Lights->HasLobes()));
-  vtkIndirectProgram program = tiles.Use(frame.Window);
+  const vtkIndirectProgram program = tiles.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -177,10 +153,6 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   {
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Specular, program);
   }
-  glBindImageTexture(
-    0, sum.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
-  // Waits for the kernel's inputs, which llvmpipe does not do by itself.
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   const int rows = input.Lights->GetNumberOfRows();
   const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
   for (int row = 0; row < rows; row += rowsPerDraw)
@@ -188,16 +160,8 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
     const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
     program->SetUniform2i("vtkiLightRows", block);
     program->SetUniformi("vtkiAdds", row > 0);
-    glDispatchCompute(static_cast<GLuint>((frame.Size[0] + TileSize - 1) / TileSize),
-      static_cast<GLuint>((frame.Size[1] + TileSize - 1) / TileSize), 1);
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    tiles.AddImages(sum);
+    tiles.Run(frame.Size[0], frame.Size[1], TileSize);
   }
-  // The next user of the image may sample it, draw over it, add to it, read it back or replace it.
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
   return true;
-#else
-  return input.Lights && table.GetBytes() > 0 && sum.GetWidth() > 0;
-#endif
 }

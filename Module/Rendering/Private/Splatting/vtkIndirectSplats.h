@@ -6,6 +6,7 @@
 
 #include "Frame/vtkIndirectEstimate.h"        // for the input
 #include "OpenGL/vtkIndirectComputeProgram.h" // for a member
+#include "OpenGL/vtkIndirectPointProgram.h"   // for members
 #include "OpenGL/vtkIndirectResource.h"       // for the base class
 #include "Splatting/vtkIndirectSplatMesh.h"   // for a member
 
@@ -36,26 +37,19 @@ public:
     vtkIndirectTarget& glossy);
 
 private:
-  /** Programs for lights, or for their lobes. */
-  struct Shaders
-  {
-    std::string Definitions;
-    std::string VertexText;
-    std::string FragmentText;
-  };
-  static vtkIndirectProgram Use(
-    Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions);
   bool SumBlended(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectTarget& sum);
   bool Draw(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    /** Runs the compute program for blocks of lights. */
     const vtkIndirectProgram& program);
+  // Runs the compute program for blocks of lights.
   static bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum);
 
   vtkIndirectSplatMesh Mesh{ this };
-  Shaders OfLights;
-  Shaders OfLobes;
+  // A splat has few pixels for each triangle: more varyings cost more than they save.
+  vtkIndirectPointProgram OfLights{ this, "vtkIndirectSplatVS.glsl", "vtkIndirectSplatFS.glsl",
+    64 };
+  vtkIndirectPointProgram OfLobes{ this, "vtkIndirectSplatVS.glsl", "vtkIndirectSplatFS.glsl", 64 };
   vtkIndirectComputeProgram Tiles{ this, "vtkIndirectSplatTilesCS.glsl" };
   vtkIndirectComputeProgram GlossyTiles{ this, "vtkIndirectGlossyTilesCS.glsl" };
 };
