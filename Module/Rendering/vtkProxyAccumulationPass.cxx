@@ -32,11 +32,10 @@ vtkStandardNewMacro(vtkProxyAccumulationPass);
 
 namespace
 {
-const vtkIndirectChannel SkyChannels[] = {
+const vtkIndirectChannels SkyChannels = {
   { "sky", "vtkiSky", "irradiance that comes directly from the environment", GL_RGBA32F, "-",
     "VTK irradiance" },
   { "bounce", "vtkiIrradiance", "irradiance that proxies send", GL_RGBA32F, "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Clamps a scale to 0, or to a valid number of radii.

@@ -30,10 +30,9 @@ vtkStandardNewMacro(vtkRSMGatherPass);
 
 namespace
 {
-const vtkIndirectChannel CoarseChannels[] = {
+const vtkIndirectChannels CoarseChannels = {
   { "gather.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel", GL_RGBA32F,
     "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 const char* const LightsFile = "vtkIndirectGatherVirtualLights.glsl";

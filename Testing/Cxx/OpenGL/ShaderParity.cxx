@@ -32,9 +32,8 @@ namespace
 constexpr int Width = 128;
 constexpr int Height = 128;
 
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "test", "vtkiTest", "a kernel's values", GL_RGBA32F, "-", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 struct Kernel

@@ -24,7 +24,7 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "geometry.lit", "vtkiLit", "VTK's shading with shadows, premultiplied alpha", GL_RGBA32F,
     "view", "VTK radiance" },
   { "geometry.surface", "vtkiSurface", "linear depth, octahedral normal and kind, facet's normal",
@@ -34,7 +34,6 @@ const vtkIndirectChannel Channels[] = {
   // Only if a material of the scene is specular.
   { "geometry.specular", "vtkiSpecular", "specular reflectance, power of the lobe or -roughness",
     GL_RGBA16F, "-", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Stand-ins for props that draw only colour, and one after all props.

@@ -14,7 +14,7 @@ struct vtkIndirectFrame;
 class vtkIndirectReceiverGrid : public vtkIndirectTarget
 {
 public:
-  vtkIndirectReceiverGrid(vtkIndirectResource* owner, const vtkIndirectChannel* channels)
+  vtkIndirectReceiverGrid(vtkIndirectResource* owner, const vtkIndirectChannels& channels)
     : vtkIndirectTarget(owner, channels, false)
   {
   }

@@ -18,34 +18,27 @@ namespace
 {
 // The picture has the format of the framebuffer that it is copied from: eight bits, or floats,
 // which keep values above white.
-const vtkIndirectChannel Pictures[][2] = {
-  { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA8, "view",
-      "VTK radiance" },
-    { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
-  { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA16F, "view",
-      "VTK radiance" },
-    { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
-  { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA32F, "view",
-      "VTK radiance" },
-    { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
-};
+vtkIndirectChannels MakePicture(unsigned int format)
+{
+  return { { "antialiasing.picture", "vtkiPicture", "the picture before", format, "view",
+    "VTK radiance" } };
+}
+const vtkIndirectChannels Pictures[] = { MakePicture(GL_RGBA8), MakePicture(GL_RGBA16F),
+  MakePicture(GL_RGBA32F) };
 
-const vtkIndirectChannel ContrastChannels[] = {
+const vtkIndirectChannels ContrastChannels = {
   { "antialiasing.contrasts", "vtkiContrasts", "contrasts with the left and the lower neighbour",
     GL_RGBA8, "view", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-const vtkIndirectChannel EdgeChannels[] = {
+const vtkIndirectChannels EdgeChannels = {
   { "antialiasing.edges", "vtkiEdges", "edges of rows and columns, 32 in a word", GL_RGBA32UI, "-",
     "bits" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-const vtkIndirectChannel TileChannels[] = {
+const vtkIndirectChannels TileChannels = {
   { "antialiasing.tiles", "vtkiTiles", "1 where a tile has contrasts, then edges", GL_R32F, "-",
     "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Pixels along an edge of a tile, a divisor of 32: smaller tiles skip more pixels, larger tiles are

@@ -20,9 +20,8 @@
 
 namespace
 {
-const vtkIndirectChannel ImageChannels[] = {
+const vtkIndirectChannels ImageChannels = {
   { "image", "vtkiImage", "one channel of the frame", GL_RGBA32F, "world", "world units" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Channels for viewing: names, debug views, PrintSelf and the documentation use this table.

@@ -16,10 +16,9 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "area", "vtkiArea", "irradiance that comes directly from area lights", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 

@@ -9,14 +9,12 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
-const vtkIndirectChannel PyramidChannels[] = {
+const vtkIndirectChannels PyramidChannels = {
   { "area.pyramid", "vtkiAreaPyramid", "mean radiance; three times its variance below", GL_RGBA32F,
     "-", "VTK radiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Rows of the images' common texture: half of what every OpenGL 4 allows, to be safe.

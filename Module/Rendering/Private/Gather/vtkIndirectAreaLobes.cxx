@@ -15,17 +15,15 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "area.glossy", "vtkiAreaGlossy", "what receivers reflect specularly of area lights", GL_RGBA32F,
     "-", "VTK radiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel TableChannels[] = {
+const vtkIndirectChannels TableChannels = {
   { "lobe.transforms", "vtkiLobeTransforms", "entries of inverse transforms", GL_RGBA32F, "-",
     "1" },
   { "lobe.integrals", "vtkiLobeIntegrals", "of the lobe, and with Schlick's weight", GL_RGBA32F,
     "-", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 constexpr size_t MostPoints = vtkIndirectAreaLamps::MostPoints;
 constexpr size_t RowsOfPoint = 5; // rows of a point in the block

@@ -4,8 +4,6 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 
-#include <algorithm>
-
 namespace
 {
 // Texels along an edge of all maps of a round together, without strips: 16 MB.

@@ -10,16 +10,14 @@
 
 namespace
 {
-const vtkIndirectChannel OpenChannels[] = {
+const vtkIndirectChannels OpenChannels = {
   { "area.open", "vtkiAreaOpen", "irradiance if nothing hid area lights", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel SumChannels[] = {
+const vtkIndirectChannels SumChannels = {
   { "area.seen", "vtkiAreaSeen", "what points of area lights give that are seen", GL_RGBA32F, "-",
     "VTK irradiance" },
   { "area.all", "vtkiAreaAll", "what all of them would", GL_RGBA32F, "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 

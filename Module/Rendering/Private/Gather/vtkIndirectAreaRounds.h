@@ -12,7 +12,6 @@
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 
 class vtkIndirectGeometryBuffer;
-class vtkWindow;
 struct vtkIndirectFrame;
 
 class vtkIndirectAreaRounds : public vtkIndirectResource

@@ -13,18 +13,16 @@
 
 namespace
 {
-const vtkIndirectChannel OpenChannels[] = {
+const vtkIndirectChannels OpenChannels = {
   { "area.open", "vtkiAreaOpen", "irradiance if nothing hid area lights; distance", GL_RGBA32F, "-",
     "VTK irradiance" },
   { "area.openFront", "vtkiAreaOpenFront", "a bit for each lamp that sends light to its side of it",
     GL_RGBA32F, "-", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel SampleChannels[] = {
+const vtkIndirectChannels SampleChannels = {
   { "area.light", "vtkiAreaLight", "irradiance from area lights; distance over that of samples",
     GL_RGBA32F, "-", "VTK irradiance" },
   { "area.share", "vtkiAreaShare", "share of it that is seen", GL_RGBA32F, "-", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Pixels between places of known unoccluded light, and between samples; the same numbers are in

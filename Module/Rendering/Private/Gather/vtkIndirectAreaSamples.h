@@ -15,8 +15,6 @@
 #include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for targets
 
-#include <string> // for definitions
-
 class vtkIndirectAreaMaps;
 class vtkIndirectGeometryBuffer;
 

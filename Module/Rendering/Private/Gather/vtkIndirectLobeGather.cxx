@@ -14,10 +14,9 @@
 
 namespace
 {
-const vtkIndirectChannel CoarseChannels[] = {
+const vtkIndirectChannels CoarseChannels = {
   { "lobes.coarse", "vtkiCoarse", "irradiance of lobes at every few pixels, variation", GL_RGBA32F,
     "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Rows of 256 lights in one draw: long draws stall a desktop, and some drivers abort them.

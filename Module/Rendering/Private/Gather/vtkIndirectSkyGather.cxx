@@ -18,27 +18,23 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "sky", "vtkiSky", "irradiance that comes directly from the environment", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 const char* const SumMeaning = "what is seen of the directions asked; what they would give";
-const vtkIndirectChannel SumChannels[] = {
+const vtkIndirectChannels SumChannels = {
   { "sky.sums", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel StillChannels[] = {
+const vtkIndirectChannels StillChannels = {
   { "sky.sums0", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums1", "vtkiSkySums1", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums2", "vtkiSkySums2", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums3", "vtkiSkySums3", SumMeaning, GL_RGBA32F, "-", "their unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel OpenChannels[] = {
+const vtkIndirectChannels OpenChannels = {
   { "sky.open", "vtkiOpenSky", "irradiance by normals if nothing hid the sky; of the directions",
     GL_RG32F, "world", "their unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // The same number is in vtkIndirectSkyDirections.glsl.

@@ -12,24 +12,20 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA32F, "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel HalfChannels[] = {
+const vtkIndirectChannels HalfChannels = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel GlossyChannels[] = {
+const vtkIndirectChannels GlossyChannels = {
   { "glossy", "vtkiGlossy", "indirect light in the specular lobe", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel HalfGlossyChannels[] = {
+const vtkIndirectChannels HalfGlossyChannels = {
   { "glossy", "vtkiGlossy", "indirect light in the specular lobe", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 

@@ -31,7 +31,7 @@ namespace
 constexpr size_t LightsOfOneBuild = 200;
 constexpr size_t LightsOfOneCaster = 2;
 
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "rsm.albedo", "vtkiMapAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
   { "rsm.surface", "vtkiMapSurface", "linear depth, octahedral normal and kind", GL_RG32F,
     "face view", "1, 1, scene units" },
@@ -40,7 +40,6 @@ const vtkIndirectChannel Channels[] = {
   // This channel exists only if senders have lobes.
   { "rsm.specular", "vtkiMapSpecular", "specular reflectance, power of the lobe or -roughness",
     GL_RGBA16F, "-", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 constexpr int SlopeChannel = 2;

@@ -13,19 +13,16 @@
 
 namespace
 {
-const vtkIndirectChannel LobeChannels[] = {
+const vtkIndirectChannels LobeChannels = {
   { "glossy.lobe", "vtkiLevelLobe", "power of the specular lobe, state", GL_RG16F, "-", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel HalfChannels[] = {
+const vtkIndirectChannels HalfChannels = {
   { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel FloatChannels[] = {
+const vtkIndirectChannels FloatChannels = {
   { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // OpenGL 4.3 guarantees 2^24 bytes for a storage block; drivers give 2^27 and more.

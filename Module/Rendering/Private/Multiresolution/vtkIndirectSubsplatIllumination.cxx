@@ -15,19 +15,17 @@
 
 namespace
 {
-const vtkIndirectChannel HalfChannels[] = {
+const vtkIndirectChannels HalfChannels = {
   { "subsplat.irradiance", "vtkiCoarserIrradiance", "irradiance, whether there is any", GL_RGBA16F,
     "-", "VTK irradiance over the frame's unit" },
   { "subsplat.vector", "vtkiCoarserVector", "luminance of the vector irradiance", GL_RGBA16F,
     "view", "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel FloatChannels[] = {
+const vtkIndirectChannels FloatChannels = {
   { "subsplat.irradiance", "vtkiCoarserIrradiance", "irradiance, whether there is any", GL_RGBA32F,
     "-", "VTK irradiance" },
   { "subsplat.vector", "vtkiCoarserVector", "luminance of the vector irradiance", GL_RGBA32F,
     "view", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Split texels for one invocation, which fetches a light once for all texels below them, and

@@ -5,7 +5,6 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
-#include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectLightBlock.h"
 #include "Visibility/vtkIndirectVisibility.h"
 
@@ -14,23 +13,21 @@
 
 namespace
 {
-const vtkIndirectChannel PlaneChannels[] = {
+const vtkIndirectChannels PlaneChannels = {
   { "subsplat.surface", "vtkiLevelSurface", "octahedral normal, depth, state", GL_RGBA32F, "view",
     "scene units" },
   { "subsplat.deviation", "vtkiFinerDeviation",
     "distance from the mean plane over the width, spread of the normals", GL_RG16F, "-", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel RangeChannels[] = {
+const vtkIndirectChannels RangeChannels = {
   { "subsplat.surface", "vtkiLevelSurface", "octahedral normal, depth, state", GL_RGBA32F, "view",
     "scene units" },
   { "subsplat.minimum", "vtkiFinerMinimum", "least normal components and depth", GL_RGBA32F, "view",
     "scene units" },
   { "subsplat.maximum", "vtkiFinerMaximum", "greatest normal components and depth", GL_RGBA32F,
     "view", "scene units" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel ProbeChannels[] = {
+const vtkIndirectChannels ProbeChannels = {
   { "subsplat.probe", "vtkiProbe",
     "luminance of the irradiance at a pixel of each texel, and of the difference between halves of "
     "the lights, whether lit",
@@ -39,13 +36,11 @@ const vtkIndirectChannel ProbeChannels[] = {
     GL_RGBA32F, "view", "scene units" },
   { "subsplat.senderDensity", "vtkiProbeDensity",
     "its normal times density and area, over the irradiance", GL_RGBA32F, "view", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel VariationChannels[] = {
+const vtkIndirectChannels VariationChannels = {
   { "subsplat.variation", "vtkiVariation",
     "relative error of interpolation between probes; that light's normal times density and area",
     GL_RGBA32F, "view", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 

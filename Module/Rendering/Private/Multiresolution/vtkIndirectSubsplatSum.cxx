@@ -12,7 +12,6 @@
 #include "Visibility/vtkIndirectVisibility.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -21,15 +20,13 @@ namespace
 constexpr int LobeStep = 4;
 constexpr double LobeTolerance = 0.05;
 
-const vtkIndirectChannel BatchChannels[] = {
+const vtkIndirectChannels BatchChannels = {
   { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel HalfBatchChannels[] = {
+const vtkIndirectChannels HalfBatchChannels = {
   { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 

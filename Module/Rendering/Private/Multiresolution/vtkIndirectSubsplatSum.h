@@ -8,7 +8,6 @@
 #include "Gather/vtkIndirectLobeGather.h"   // for members
 #include "Gather/vtkIndirectSum.h"
 #include "Multiresolution/vtkIndirectGlossySubsplats.h"      // for members
-#include "Multiresolution/vtkIndirectSubsplatDetails.h"      // for members
 #include "Multiresolution/vtkIndirectSubsplatIllumination.h" // for members
 #include "Multiresolution/vtkIndirectSubsplatView.h"         // for members
 #include "VirtualLights/vtkIndirectLightBlock.h"             // for members

@@ -28,14 +28,11 @@ size_t BytesPerTexel(unsigned int internalFormat)
 
 //------------------------------------------------------------------------------
 vtkIndirectLayeredTarget::vtkIndirectLayeredTarget(
-  vtkIndirectResource* owner, const vtkIndirectChannel* channels)
+  vtkIndirectResource* owner, const vtkIndirectChannels& channels)
   : vtkIndirectResource(owner)
   , Channels(channels)
+  , NumberOfChannels(static_cast<int>(channels.size()))
 {
-  while (channels[this->NumberOfChannels].InternalFormat)
-  {
-    ++this->NumberOfChannels;
-  }
 }
 
 vtkIndirectLayeredTarget::~vtkIndirectLayeredTarget() = default;

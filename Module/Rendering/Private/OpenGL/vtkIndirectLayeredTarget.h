@@ -17,9 +17,8 @@ class vtkOpenGLRenderWindow;
 class vtkIndirectLayeredTarget : public vtkIndirectResource
 {
 public:
-  /** channels: table ended by InternalFormat 0. A depth array for shadow look-ups is always added.
-   */
-  vtkIndirectLayeredTarget(vtkIndirectResource* owner, const vtkIndirectChannel* channels);
+  /** A depth array for shadow look-ups is always added. */
+  vtkIndirectLayeredTarget(vtkIndirectResource* owner, const vtkIndirectChannels& channels);
   ~vtkIndirectLayeredTarget() override;
 
   /** Uses only this many of the table's channels, from the first on; takes effect with Resize. */
@@ -52,8 +51,8 @@ protected:
   void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  const vtkIndirectChannel* Channels;
-  int NumberOfChannels = 0;
+  const vtkIndirectChannels& Channels;
+  int NumberOfChannels;
   int Texels = 0;
   int Layers = 0;
   int RefusedTexels = 0; // sizes that the window could not hold

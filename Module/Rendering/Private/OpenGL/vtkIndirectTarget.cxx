@@ -97,7 +97,7 @@ int FindBoundDepthFormat()
 
 //------------------------------------------------------------------------------
 vtkIndirectTarget::vtkIndirectTarget(
-  vtkIndirectResource* owner, const vtkIndirectChannel* channels, bool depth, int depthBits)
+  vtkIndirectResource* owner, const vtkIndirectChannels& channels, bool depth, int depthBits)
   : vtkIndirectResource(owner)
   , Channels(channels)
   , WithDepth(depth)
@@ -111,11 +111,7 @@ vtkIndirectTarget::~vtkIndirectTarget() = default;
 bool vtkIndirectTarget::Resize(
   vtkOpenGLRenderWindow* window, int width, int height, const vtkIndirectTarget* shared)
 {
-  size_t channels = 0;
-  while (channels < this->Limit && this->Channels[channels].InternalFormat)
-  {
-    ++channels;
-  }
+  const size_t channels = std::min(this->Limit, this->Channels.size());
   const int depthFormat = this->DepthFormat >= 0
     ? this->DepthFormat
     : (this->DepthBits == 16 ? vtkTextureObject::Fixed16 : vtkTextureObject::Float32);
@@ -140,7 +136,8 @@ bool vtkIndirectTarget::Resize(
   {
     vtkErrorWithObjectMacro(window,
       "Indirect illumination needs an image of "
-        << width << " x " << height << " pixels (" << this->Channels[0].Name
+        << width << " x " << height << " pixels ("
+        << (this->Channels.empty() ? "depth" : this->Channels[0].Name)
         << "); this OpenGL has images of " << most << " pixels along an edge at most.");
     this->Release(this->Window);
     return false;

@@ -20,12 +20,10 @@ class vtkOpenGLRenderWindow;
 class vtkIndirectTarget : public vtkIndirectResource
 {
 public:
-  /**
-   * channels: table ended by InternalFormat 0; depth: adds a depth texture, of 32-bit floats or 16
-   * bits, or only that if the table is empty.
-   */
-  vtkIndirectTarget(
-    vtkIndirectResource* owner, const vtkIndirectChannel* channels, bool depth, int depthBits = 32);
+  /** depth: true adds a depth texture, of 32-bit floats or 16 bits, or makes only that if there are
+   * no channels. The table must live as long as the target. */
+  vtkIndirectTarget(vtkIndirectResource* owner, const vtkIndirectChannels& channels, bool depth,
+    int depthBits = 32);
   ~vtkIndirectTarget() override;
 
   /** Uses only this many of the table's channels, from the first on; before Resize. */
@@ -108,7 +106,7 @@ protected:
 private:
   void ActivateChannels();
 
-  const vtkIndirectChannel* Channels;
+  const vtkIndirectChannels& Channels;
   bool WithDepth;
   int DepthBits;
   int DepthFormat = -1; // format of vtkTextureObject to match; -1: none, use DepthBits

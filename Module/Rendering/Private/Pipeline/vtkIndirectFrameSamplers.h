@@ -26,7 +26,6 @@ class vtkIndirectGeometryBuffer;
 class vtkIndirectLightMaps;
 class vtkIndirectSurfaces;
 class vtkSurfaceCapturePass;
-class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;

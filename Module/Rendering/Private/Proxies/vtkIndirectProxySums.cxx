@@ -7,11 +7,8 @@
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyChannels.h"
-#include "vtkOpenGLShaderCache.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 

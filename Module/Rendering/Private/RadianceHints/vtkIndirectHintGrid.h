@@ -15,7 +15,6 @@
 #include "OpenGL/vtkIndirectKernels.h"     // for the row length
 #include "OpenGL/vtkIndirectResource.h"    // for the base class
 
-#include <array>       // for tables
 #include <glm/glm.hpp> // for vectors
 #include <string>      // for reasons
 #include <vector>      // for tables

@@ -7,7 +7,6 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 namespace

@@ -9,7 +9,6 @@
 #include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"  // for members
 #include "OpenGL/vtkIndirectPointProgram.h"       // for members
-#include "RadianceHints/vtkIndirectHintDetails.h" // for members
 #include "RadianceHints/vtkIndirectHintFields.h"  // for members
 #include "RadianceHints/vtkIndirectHintGrid.h"    // for members
 #include "RadianceHints/vtkIndirectHintSenders.h" // for members

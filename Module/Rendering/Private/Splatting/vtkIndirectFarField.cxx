@@ -20,12 +20,11 @@ namespace
 {
 constexpr int RowLength = vtkIndirectSampler::RowLength;
 
-const vtkIndirectChannel CoarseChannels[] = {
+const vtkIndirectChannels CoarseChannels = {
   { "splats.far", "vtkiCoarse", "irradiance that splats cut off, luminance of all of it",
     GL_RGBA32F, "-", "VTK irradiance" },
   { "splats.vector", "vtkiCoarseVector", "luminance of the vector irradiance that splats cut off",
     GL_RGBA32F, "scene", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 std::string GetDefinitions(

@@ -17,25 +17,22 @@ namespace
 {
 constexpr int RowLength = vtkIndirectSampler::RowLength;
 
-const vtkIndirectChannel ColumnsChannels[] = {
+const vtkIndirectChannels ColumnsChannels = {
   { "splats.columns", "vtkiSplatColumns", "sum of intensities, number of lights", GL_RG32F, "-",
     "VTK radiance times scene units squared over pi, 1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel MeanChannels[] = {
+const vtkIndirectChannels MeanChannels = {
   { "splats.mean", "vtkiSplatMean", "mean intensity, number of lights", GL_RG32F, "-",
     "VTK radiance times scene units squared over pi, 1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 constexpr int ChannelsOfLobes = 2; // the last channels of the table
-const vtkIndirectChannel BoundsChannels[] = {
+const vtkIndirectChannels BoundsChannels = {
   { "splats.center", "vtkiSplatCenter", "centre, half length", GL_RGBA32F, "scene", "scene units" },
   { "splats.axis", "vtkiSplatAxis", "axis, half width", GL_RGBA32F, "scene", "1, scene units" },
   { "splats.lobecenter", "vtkiLobeSplatCenter", "centre, half length of the lobe's", GL_RGBA32F,
     "scene", "scene units" },
   { "splats.lobeaxis", "vtkiLobeSplatAxis", "axis, half width of the lobe's", GL_RGBA32F, "scene",
     "1, scene units" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 

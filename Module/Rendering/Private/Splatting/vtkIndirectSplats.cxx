@@ -5,18 +5,13 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "OpenGL/vtkIndirectBackEndChoices.h"
-#include "OpenGL/vtkIndirectFlatUniforms.h"
-#include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Splatting/vtkIndirectSplatTable.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 

@@ -10,8 +10,6 @@
 #include "OpenGL/vtkIndirectResource.h"       // for the base class
 #include "Splatting/vtkIndirectSplatMesh.h"   // for a member
 
-#include <string> // for texts
-
 class vtkIndirectSplatTable;
 class vtkIndirectTarget;
 

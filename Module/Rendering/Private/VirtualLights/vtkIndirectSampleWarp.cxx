@@ -13,17 +13,15 @@
 
 namespace
 {
-const vtkIndirectChannel NodeChannels[] = {
+const vtkIndirectChannels NodeChannels = {
   { "importance.lit", "vtkiLit", "cells that send light, by quadrants", GL_RGBA32F, "chart", "1" },
   { "importance.flux", "vtkiFlux", "light that cells send, by quadrants", GL_RGBA32F, "chart",
     "of the strongest light" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-const vtkIndirectChannel SampleChannels[] = {
+const vtkIndirectChannels SampleChannels = {
   { "importance.samples", "vtkiPattern", "map coordinates, layer, texels that it stands for",
     GL_RGBA32F, "map", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // A map of one face has no cone of light.

@@ -16,8 +16,7 @@
 #include "VirtualLights/vtkIndirectMapSampler.h"     // for charts
 #include "VirtualLights/vtkIndirectPatternTexture.h" // for the pattern
 
-#include <cstddef> // for size_t
-#include <vector>  // for charts
+#include <vector> // for charts
 
 class vtkIndirectLightMaps;
 

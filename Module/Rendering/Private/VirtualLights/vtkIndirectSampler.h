@@ -21,7 +21,6 @@ class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
 class vtkIndirectLightMaps;
 class vtkVirtualLightSampler;
-class vtkWindow;
 struct vtkIndirectEmitter;
 struct vtkIndirectFrame;
 struct vtkIndirectFurtherSenders;

@@ -16,8 +16,6 @@
 #include "VirtualLights/vtkIndirectSenderClusters.h" // for members
 #include "VirtualLights/vtkIndirectSenderTexels.h"   // for members
 
-#include <vector> // for lists
-
 class vtkSurfaceCapturePass;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;

@@ -15,13 +15,12 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 
 namespace
 {
-const vtkIndirectChannel NoChannels[] = { { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
+const vtkIndirectChannels NoChannels;
 
 // Texels along an edge of the texture; OpenGL may allow less.
 constexpr int MostTexels = 16384;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectDistanceField.h"
 
-#include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"

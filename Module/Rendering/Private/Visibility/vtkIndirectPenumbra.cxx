@@ -18,10 +18,9 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "penumbra", "vtkiPenumbraTiles", "depths of four neighbouring texels", GL_RGBA32F, "tile",
     "depth buffer" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Texels across the penumbra of a blocker half-way to the light, or a quarter of the scene's depth

@@ -15,15 +15,12 @@
 #include <cstddef> // for size_t
 #include <memory>  // for the volume
 #include <string>  // for reasons
-#include <utility> // for pairs
 #include <vector>  // for maps
 
 class vtkIndirectOccupancyVolume;
 class vtkIndirectSurfaces;
 class vtkIndirectVirtualLights;
 class vtkOpenGLRenderWindow;
-class vtkProp;
-class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
 
