@@ -28,13 +28,9 @@ const vtkIndirectChannels FloatChannels = {
 // OpenGL 4.3 guarantees 2^24 bytes for a storage block; drivers give 2^27 and more.
 size_t GetMaximumBytes()
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   GLint64 bytes = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
   return static_cast<size_t>(std::min<GLint64>(std::max<GLint64>(bytes, 0), GLint64(1) << 28));
-#else
-  return 0;
-#endif
 }
 
 // Texels of each list: split ones, and whole ones.

@@ -33,10 +33,8 @@ void vtkIndirectSubsplatList::Begin(
 //------------------------------------------------------------------------------
 void vtkIndirectSubsplatList::End()
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
     GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-#endif
 }
 
 //------------------------------------------------------------------------------

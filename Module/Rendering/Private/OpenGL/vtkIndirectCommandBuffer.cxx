@@ -12,9 +12,7 @@
 namespace
 {
 using Command = std::array<unsigned int, 4>;
-#ifdef GL_SHADER_STORAGE_BUFFER
 constexpr unsigned int Binding = 0;
-#endif
 }
 
 vtkIndirectCommandBuffer::~vtkIndirectCommandBuffer()
@@ -47,7 +45,6 @@ vtkOpenGLRenderWindow* vtkIndirectCommandBuffer::GetWindow() const
 //------------------------------------------------------------------------------
 void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words)
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   const size_t bytes = CountBytes(this->NumberOfLists, words);
   if (this->Handle == 0)
   {
@@ -63,34 +60,23 @@ void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words
   const std::vector<Command> commands(this->NumberOfLists, Command{ 0, 1, 1, 0 });
   glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, commands.size() * sizeof(Command), commands.data());
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-#else
-  (void)window, (void)words;
-#endif
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectCommandBuffer::Activate(const vtkIndirectProgram& program, const char* block) const
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   const auto handle = static_cast<GLuint>(program->GetHandle());
   glShaderStorageBlockBinding(
     handle, glGetProgramResourceIndex(handle, GL_SHADER_STORAGE_BLOCK, block), Binding);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, this->Handle);
-#else
-  (void)program, (void)block;
-#endif
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectCommandBuffer::Dispatch(size_t list) const
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, this->Handle);
   glDispatchComputeIndirect(static_cast<GLintptr>(list * sizeof(Command)));
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
-#else
-  (void)list;
-#endif
 }
 
 //------------------------------------------------------------------------------

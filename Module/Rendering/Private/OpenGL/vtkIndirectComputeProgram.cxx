@@ -25,7 +25,6 @@ public:
   bool Build(vtkOpenGLRenderWindow* window, const std::string& text)
   {
     this->Window = window;
-#ifdef GL_COMPUTE_SHADER
     const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
     const char* source = text.c_str();
     glShaderSource(shader, 1, &source, nullptr);
@@ -58,10 +57,6 @@ public:
     this->Handle = static_cast<int>(program);
     this->Linked = true;
     return true;
-#else
-    vtkErrorMacro("This build of VTK has no compute shaders.");
-    return text.empty();
-#endif
   }
 
   void Destroy()
@@ -140,26 +135,20 @@ vtkIndirectProgram vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkIndirectComputeProgram::AddImages(const vtkIndirectTarget& target, int unit)
 {
-#ifdef GL_COMPUTE_SHADER
   for (int i = 0; i < target.GetNumberOfChannels(); ++i)
   {
     this->Units.push_back(static_cast<GLuint>(unit + i));
     glBindImageTexture(this->Units.back(), target.GetTexture(i)->GetHandle(), 0, GL_FALSE, 0,
       GL_READ_WRITE, target.GetInternalFormat(i));
   }
-#else
-  (void)target, (void)unit;
-#endif
 }
 
 //------------------------------------------------------------------------------
 // llvmpipe does not wait for draws into a kernel's inputs by itself.
 void vtkIndirectComputeProgram::Begin()
 {
-#ifdef GL_COMPUTE_SHADER
   glMemoryBarrier(
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -167,7 +156,6 @@ void vtkIndirectComputeProgram::Begin()
 // it; the next user of a list may append, read or dispatch.
 void vtkIndirectComputeProgram::End()
 {
-#ifdef GL_COMPUTE_SHADER
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
     GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -175,7 +163,6 @@ void vtkIndirectComputeProgram::End()
   {
     glBindImageTexture(unit, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   }
-#endif
   this->Units.clear();
 }
 
@@ -183,12 +170,8 @@ void vtkIndirectComputeProgram::End()
 void vtkIndirectComputeProgram::Run(int width, int height, int groupSize)
 {
   Begin();
-#ifdef GL_COMPUTE_SHADER
   glDispatchCompute(static_cast<GLuint>((width + groupSize - 1) / groupSize),
     static_cast<GLuint>((height + groupSize - 1) / groupSize), 1);
-#else
-  (void)width, (void)height, (void)groupSize;
-#endif
   this->End();
 }
 
