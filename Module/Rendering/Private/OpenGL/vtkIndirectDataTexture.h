@@ -36,7 +36,7 @@ public:
 
   bool IsEmpty() const { return this->Texture == nullptr; }
 
-  /** Bind the texture to a sampler; pair. An empty texture may be deactivated. */
+  /** Binds the texture to a sampler; not for an empty texture. */
   void Activate(const vtkIndirectProgram& program, const char* uniform) const;
 
   /** Drops the content, which is out of date; the context need not be current. */

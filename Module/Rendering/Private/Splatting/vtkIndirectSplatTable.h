@@ -23,10 +23,10 @@ public:
    */
   bool Update(const vtkIndirectEstimateInput& input, double threshold, bool fades);
 
-  /** Bind the textures of vtkIndirectSplatLight.glsl and vtkIndirectSplatBounds.glsl. */
+  /** Binds the textures of vtkIndirectSplatLight.glsl and vtkIndirectSplatBounds.glsl. */
   void Activate(const vtkIndirectProgram& program) const;
 
-  /** Bind these and the inputs of a sum at receivers: eye, surfaces, lights and their lobes,
+  /** Binds these and the inputs of a sum at receivers: eye, surfaces, lights and their lobes,
    * visibility. */
   void Activate(const vtkIndirectEstimateInput& input, const vtkIndirectProgram& program) const;
 

@@ -33,7 +33,7 @@ public:
   void Update(
     vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights, int first, int count);
   int GetNumberOfLights() const { return this->Count; }
-  /** Bind the block, and the table with the lights beyond its capacity. */
+  /** Binds the block, and the table with the lights beyond its capacity. */
   void Activate(const vtkIndirectProgram& program) const;
 
 protected:

@@ -54,10 +54,10 @@ public:
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
   const vtkIndirectTarget& GetTable() const { return *this->Current; }
 
-  /** Bind the table, and the branches if there are any, and set its extent. */
+  /** Binds the table, and the branches if there are any, and sets its extent. */
   void Activate(const vtkIndirectProgram& program) const;
 
-  /** Bind the lobes, if there are any. */
+  /** Binds the lobes, if there are any. */
   void ActivateLobes(const vtkIndirectProgram& program) const;
 
   ///@{

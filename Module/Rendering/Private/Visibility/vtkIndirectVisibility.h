@@ -88,7 +88,7 @@ public:
    * hides.
    */
   std::string GetDefinitions() const;
-  /** Bind what the definitions' shaders read, or nothing if nothing hides senders. */
+  /** Binds the textures that the definitions' shaders read, or nothing if nothing hides senders. */
   void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
 
   /** Returns the voxels, empty where no stage needs them. */
