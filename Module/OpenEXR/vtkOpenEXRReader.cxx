@@ -35,13 +35,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <set>
-#include <sstream>
 #include <utility>
 
 namespace exr = OPENEXR_IMF_NAMESPACE;

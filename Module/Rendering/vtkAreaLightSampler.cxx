@@ -26,7 +26,11 @@ public:
   bool Update(const Input& input) override;
 
 protected:
-  void ReleaseOwn(vtkWindow*) override { this->MadeKey.Clear(); }
+  void ReleaseOwn(vtkWindow* window) override
+  {
+    this->vtkIndirectSampler::ReleaseOwn(window);
+    this->MadeKey.Clear();
+  }
 
 private:
   const vtkAreaLightSampler& Set;

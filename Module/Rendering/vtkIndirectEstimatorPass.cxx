@@ -55,7 +55,7 @@ vtkIndirectIlluminationPass* vtkIndirectEstimatorPass::GetIlluminationPass()
 void vtkIndirectEstimatorPass::ReleaseGraphicsResources(vtkWindow* window)
 {
   // The illumination pass releases its estimator, this one, in its turn.
-  if (this->Sum->Release(window) && this->Whole && !this->IsReleasing)
+  if (this->Sum->EndContext(window) && this->Whole && !this->IsReleasing)
   {
     this->IsReleasing = true;
     this->Whole->ReleaseGraphicsResources(window);

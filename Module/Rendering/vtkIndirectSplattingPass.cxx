@@ -42,7 +42,6 @@ public:
   }
   void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
-  size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
   std::vector<std::string> GetChannelNames() const override { return { Overdraw }; }
   int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
@@ -51,19 +50,18 @@ public:
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
-  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   bool Sum(const Input& input);
   bool SumGlossy(const Input& input);
 
   const vtkIndirectSplattingPass& Set;
-  vtkIndirectSplatTable Table;
-  vtkIndirectSplats Splats;
-  vtkIndirectFarField FarField;
-  vtkIndirectGlossyGather GlossyGather;
-  vtkIndirectLobeGather Lobes;
-  vtkIndirectFullScreenProgram OverdrawView{ "vtkIndirectOverdrawFS.glsl" };
+  vtkIndirectSplatTable Table{ this };
+  vtkIndirectSplats Splats{ this };
+  vtkIndirectFarField FarField{ this };
+  vtkIndirectGlossyGather GlossyGather{ this };
+  vtkIndirectLobeGather Lobes{ this };
+  vtkIndirectFullScreenProgram OverdrawView{ this, "vtkIndirectOverdrawFS.glsl" };
   vtkWeakPointer<vtkOpenGLRenderWindow> Window; // window of the last frame
 };
 }
@@ -131,9 +129,6 @@ bool SplatSum::Sum(const Input& input)
   {
     return false;
   }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
 
   const bool cuts = this->Set.GetIntensityThreshold() > 0.0;
@@ -146,7 +141,7 @@ bool SplatSum::Sum(const Input& input)
   timer.End(vtkIndirectStageTimer::Estimate);
   if (!cuts)
   {
-    this->FarField.ReleaseSum(frame.Window);
+    this->FarField.Release(frame.Window);
     return done;
   }
   timer.Begin(vtkIndirectStageTimer::Upsample);
@@ -165,13 +160,6 @@ double SplatSum::FindCutOffShare() const
   }
   this->Window->MakeCurrent();
   return this->FarField.FindShare();
-}
-
-//------------------------------------------------------------------------------
-size_t SplatSum::GetBytes() const
-{
-  return this->vtkIndirectSum::GetBytes() + this->Table.GetBytes() + this->Splats.GetBytes() +
-    this->FarField.GetBytes() + this->Lobes.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -212,24 +200,12 @@ int SplatSum::DrawChannel(
   const std::string& name, const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer&)
 {
   vtkIndirectFullScreenProgram& view = this->OverdrawView;
-  vtkShaderProgram* program = name == Overdraw ? view.Use(frame.Window) : nullptr;
+  vtkIndirectProgram program = name == Overdraw ? view.Use(frame.Window) : nullptr;
   if (!program)
   {
     return 0;
   }
   this->Irradiance->Activate(0, program);
   view.Draw();
-  this->Irradiance->Deactivate();
   return 3;
-}
-
-//------------------------------------------------------------------------------
-void SplatSum::ReleaseOwn(vtkWindow* window)
-{
-  this->Table.Release(window);
-  this->Splats.Release();
-  this->FarField.Release(window);
-  this->GlossyGather.Release();
-  this->Lobes.Release(window);
-  this->OverdrawView.Release();
 }

@@ -188,6 +188,7 @@ void TreeLights::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void TreeLights::ReleaseOwn(vtkWindow* window)
 {
+  this->vtkIndirectSampler::ReleaseOwn(window);
   this->Texels.Release(window);
   this->ViewPattern->ReleaseGraphicsResources(window);
   this->Clusters.SetSenders({});

@@ -32,11 +32,10 @@ vtkStandardNewMacro(vtkProxyAccumulationPass);
 
 namespace
 {
-const vtkIndirectChannel SkyChannels[] = {
+const vtkIndirectChannels SkyChannels = {
   { "sky", "vtkiSky", "irradiance that comes directly from the environment", GL_RGBA32F, "-",
     "VTK irradiance" },
   { "bounce", "vtkiIrradiance", "irradiance that proxies send", GL_RGBA32F, "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Clamps a scale to 0, or to a valid number of radii.
@@ -71,7 +70,6 @@ public:
   {
     return nullptr;
   }
-  size_t GetBytes() const override;
   size_t GetMainMemoryBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
@@ -84,7 +82,11 @@ public:
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
-  void ReleaseOwn(vtkWindow* window) override;
+  void ReleaseOwn(vtkWindow*) override
+  {
+    this->TreeIsThere = false;
+    this->Environment = nullptr;
+  }
 
 private:
   bool Sum(const Input& input);
@@ -93,8 +95,8 @@ private:
 
   vtkProxyAccumulationPass& Set;
   vtkIndirectProxyTree Tree;
-  vtkIndirectProxySums Sums;
-  vtkIndirectTarget Sky{ SkyChannels, false };
+  vtkIndirectProxySums Sums{ this };
+  vtkIndirectTarget Sky{ this, SkyChannels, false };
   vtkMTimeType TreeTime = 0; // time of this pass when the tree was built
   bool TreeIsThere = false;
   vtkIndirectProxyStep StepBySpheres;
@@ -288,9 +290,6 @@ bool ProxySum::FindReach(vtkEnvironmentLight* environment)
 bool ProxySum::Sum(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   const auto stage = input.Plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR
     ? vtkIndirectStageTimer::Estimate
@@ -336,12 +335,6 @@ bool ProxySum::Sum(const Input& input)
   done = done && this->Sums.Sum(sums, this->Sky);
   input.Timer.End(stage);
   return done;
-}
-
-//------------------------------------------------------------------------------
-size_t ProxySum::GetBytes() const
-{
-  return this->vtkIndirectSum::GetBytes() + this->Sky.GetBytes() + this->Sums.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -407,13 +400,4 @@ void ProxySum::AddToReport(vtkIndirectReport& report) const
         : "spheres send it as if nothing hid it from them; the result is too bright where they are "
           "close to each other");
   }
-}
-
-//------------------------------------------------------------------------------
-void ProxySum::ReleaseOwn(vtkWindow* window)
-{
-  this->Sky.Release(window);
-  this->Sums.Release(window);
-  this->TreeIsThere = false;
-  this->Environment = nullptr;
 }

@@ -30,10 +30,9 @@ vtkStandardNewMacro(vtkRSMGatherPass);
 
 namespace
 {
-const vtkIndirectChannel CoarseChannels[] = {
+const vtkIndirectChannels CoarseChannels = {
   { "gather.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel", GL_RGBA32F,
     "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 const char* const LightsFile = "vtkIndirectGatherVirtualLights.glsl";
@@ -56,25 +55,24 @@ public:
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
     const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
-  size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
-  void ReleaseOwn(vtkWindow* window) override;
+  void ReleaseOwn(vtkWindow* window) override { this->AllTexels->Release(window); }
 
 private:
-  void SetUniforms(vtkShaderProgram* program, const Input& input, bool neighborhood);
+  void SetUniforms(const vtkIndirectProgram& program, const Input& input, bool neighborhood);
   bool Sum(const Input& input);
 
   const vtkRSMGatherPass& Set;
-  vtkIndirectReceiverGrid Coarse{ CoarseChannels };
-  vtkIndirectFullScreenProgram Gather[2] = { { "vtkIndirectGatherFS.glsl", LightsFile },
-    { "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
-  vtkIndirectFullScreenProgram Upsample[2] = { { "vtkIndirectUpsampleFS.glsl", LightsFile },
-    { "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
-  vtkIndirectGlossyGather GlossyGather;
-  vtkIndirectLobeGather Lobes;
+  vtkIndirectReceiverGrid Coarse{ this, CoarseChannels };
+  vtkIndirectFullScreenProgram Gather[2] = { { this, "vtkIndirectGatherFS.glsl", LightsFile },
+    { this, "vtkIndirectGatherFS.glsl", NeighborhoodFile } };
+  vtkIndirectFullScreenProgram Upsample[2] = { { this, "vtkIndirectUpsampleFS.glsl", LightsFile },
+    { this, "vtkIndirectUpsampleFS.glsl", NeighborhoodFile } };
+  vtkIndirectGlossyGather GlossyGather{ this };
+  vtkIndirectLobeGather Lobes{ this };
   const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
     std::make_shared<vtkIndirectAllTexelsSampler>();
   bool Interpolates = false; // in the last frame
@@ -102,7 +100,8 @@ void GatherSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan*
 }
 
 //------------------------------------------------------------------------------
-void GatherSum::SetUniforms(vtkShaderProgram* program, const Input& input, bool neighborhood)
+void GatherSum::SetUniforms(
+  const vtkIndirectProgram& program, const Input& input, bool neighborhood)
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
@@ -132,12 +131,6 @@ vtkIndirectAbilities GatherSum::GetAbilities(double tolerance) const
     abilities.TakesLightMaps ? vtkIndirectVisibilityMaps : vtkIndirectVisibilityNone;
   abilities.ReadsMaps = mode == vtkRSMGatherPass::NEIGHBORHOOD;
   return abilities;
-}
-
-//------------------------------------------------------------------------------
-size_t GatherSum::GetBytes() const
-{
-  return this->vtkIndirectSum::GetBytes() + this->Coarse.GetBytes() + this->Lobes.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -229,25 +222,7 @@ bool GatherSum::Sum(const Input& input)
   }
 
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
-
-  auto releaseTextures = [&]()
-  {
-    input.Geometry.GetTarget().Deactivate();
-    input.Visibility.Deactivate();
-    if (neighborhood)
-    {
-      input.Maps.Deactivate();
-    }
-    else
-    {
-      input.Lights->Deactivate();
-    }
-  };
 
   const std::string definitions = std::string(input.Visibility.GetDefinitions()) +
     (neighborhood ? "" : input.Lights->GetDefinitions());
@@ -257,7 +232,7 @@ bool GatherSum::Sum(const Input& input)
   // Sums at coarse samples, or at every pixel.
   timer.Begin(vtkIndirectStageTimer::Estimate);
   vtkIndirectTarget& sums = interpolate ? this->Coarse : *this->Irradiance;
-  vtkShaderProgram* program = this->Gather[neighborhood].Use(frame.Window);
+  vtkIndirectProgram program = this->Gather[neighborhood].Use(frame.Window);
   if (!program)
   {
     return false;
@@ -286,7 +261,6 @@ bool GatherSum::Sum(const Input& input)
   }
   state->vtkglDisable(GL_BLEND);
   sums.End();
-  releaseTextures();
   if (this->HasGlossy &&
     !this->GlossyGather.Sum(input, *this->Glossy, 1.0,
       { this->Set.GetNumberOfSamples(), this->Set.GetNeighborhoodRadius() }))
@@ -323,23 +297,7 @@ bool GatherSum::Sum(const Input& input)
     program->SetUniform2i("vtkiLightRows", all);
   }
   this->Upsample[neighborhood].Draw();
-  this->Coarse.Deactivate();
   this->Irradiance->End();
-  releaseTextures();
   timer.End(vtkIndirectStageTimer::Upsample);
   return addLobes();
-}
-
-//------------------------------------------------------------------------------
-void GatherSum::ReleaseOwn(vtkWindow* window)
-{
-  this->Coarse.Release(window);
-  this->GlossyGather.Release();
-  this->Lobes.Release(window);
-  this->AllTexels->Release(window);
-  for (int i = 0; i < 2; ++i)
-  {
-    this->Gather[i].Release();
-    this->Upsample[i].Release();
-  }
 }

@@ -280,8 +280,9 @@ void WalkLights::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-void WalkLights::ReleaseOwn(vtkWindow*)
+void WalkLights::ReleaseOwn(vtkWindow* window)
 {
+  this->vtkIndirectSampler::ReleaseOwn(window);
   this->Clusters.SetSenders({});
   this->WalkKey.Clear();
   this->HasMore = false;

@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkReflectiveShadowMapPass);
 
 //------------------------------------------------------------------------------
 vtkReflectiveShadowMapPass::vtkReflectiveShadowMapPass()
-  : Maps(std::make_unique<vtkIndirectLightMaps>(this))
+  : Maps(std::make_unique<vtkIndirectLightMaps>(nullptr, this))
 {
 }
 

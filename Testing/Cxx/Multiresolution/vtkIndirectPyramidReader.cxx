@@ -129,7 +129,7 @@ void PyramidReader::Read(const vtkIndirectEstimateInput& input)
       }
     }
     pyramid.Release(window);
-    lights.Release();
+    lights.Release(window);
   }
 }
 }

@@ -32,9 +32,8 @@ namespace
 constexpr int Width = 128;
 constexpr int Height = 128;
 
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "test", "vtkiTest", "a kernel's values", GL_RGBA32F, "-", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 struct Kernel
@@ -111,7 +110,7 @@ std::vector<float> RunOnGPU(Scene& scene, vtkIndirectFullScreenProgram& kernel,
   vtkIndirectTarget& target, vtkTextureObject* texture, int number)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(scene.Window);
-  vtkShaderProgram* program = kernel.Use(window);
+  const vtkIndirectProgram program = kernel.Use(window);
   if (!Check("the test's stage links", program != nullptr))
   {
     return {};
@@ -143,8 +142,8 @@ VTK_INDIRECT_TEST(KernelParity)
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   std::vector<float> copy = input;
   texture->Create2DFromRaw(3 * Width, Height, 4, VTK_FLOAT, copy.data());
-  vtkIndirectTarget target(Channels, false);
-  vtkIndirectFullScreenProgram kernel("ShaderKernelsFS.glsl");
+  vtkIndirectTarget target(nullptr, Channels, false);
+  vtkIndirectFullScreenProgram kernel(nullptr, "ShaderKernelsFS.glsl");
   target.Resize(window, Width, Height);
 
   const int count = static_cast<int>(std::size(Kernels));
@@ -181,7 +180,7 @@ VTK_INDIRECT_TEST(KernelParity)
       std::string(k.Name) + ": distinct values", distinct.size(), 2, "the test's own power");
   }
   target.Release(window);
-  kernel.Release();
+  kernel.Release(window);
   texture->ReleaseGraphicsResources(window);
 }
 
@@ -220,11 +219,11 @@ VTK_INDIRECT_TEST(StagesLink)
       text.find("vtkiFetchIrradiance") != std::string::npos ? irradiances : gathers;
     for (int i = 0; i < (open ? 2 : 1); ++i)
     {
-      vtkIndirectFullScreenProgram kernel(entry->Name, files[i]);
+      vtkIndirectFullScreenProgram kernel(nullptr, entry->Name, files[i]);
       Check(name + (open ? std::string(" with ") + files[i] : "") + " links",
         kernel.Use(window) != nullptr);
       ++linked;
-      kernel.Release();
+      kernel.Release(window);
     }
   }
   CheckAtLeast("programs", linked, 9, "glsl/stage");

@@ -439,9 +439,9 @@ public:
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
     const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
-  size_t GetBytes() const override;
 
 protected:
+  size_t GetOwnBytes() const override { return this->AllTexels->GetBytes(); }
   vtkIndirectEstimate Estimate(const Input& input) override;
   void ReleaseOwn(vtkWindow* window) override { this->AllTexels->Release(window); }
 
@@ -476,12 +476,6 @@ vtkIndirectAbilities ReferenceSum::GetAbilities(double tolerance) const
   abilities.SumsLobes = true;
   abilities.TakesSampler = this->Set.GetMode() == vtkRSMReferencePass::VIRTUAL_LIGHTS;
   return abilities;
-}
-
-//------------------------------------------------------------------------------
-size_t ReferenceSum::GetBytes() const
-{
-  return this->vtkIndirectSum::GetBytes() + this->AllTexels->GetBytes();
 }
 
 //------------------------------------------------------------------------------

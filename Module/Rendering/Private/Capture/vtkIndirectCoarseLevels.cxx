@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace
 {
@@ -35,7 +34,11 @@ double FindScale(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectCoarseLevels::vtkIndirectCoarseLevels() = default;
+vtkIndirectCoarseLevels::vtkIndirectCoarseLevels(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+{
+}
+
 vtkIndirectCoarseLevels::~vtkIndirectCoarseLevels() = default;
 
 //------------------------------------------------------------------------------
@@ -281,7 +284,7 @@ void vtkIndirectCoarseLevels::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCoarseLevels::Release(vtkWindow*)
+void vtkIndirectCoarseLevels::ReleaseOwn(vtkWindow*)
 {
   for (Entry& entry : this->Entries)
   {

@@ -6,9 +6,10 @@
 #ifndef vtkIndirectCoarseLevels_h
 #define vtkIndirectCoarseLevels_h
 
-#include "vtkSmartPointer.h" // for members
-#include "vtkType.h"         // for times
-#include "vtkWeakPointer.h"  // for members
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkSmartPointer.h"            // for members
+#include "vtkType.h"                    // for times
+#include "vtkWeakPointer.h"             // for members
 
 #include <cstddef> // for size_t
 #include <glm/glm.hpp>
@@ -21,15 +22,14 @@ class vtkIndirectKey;
 class vtkOpenGLBufferObject;
 class vtkPolyData;
 class vtkProp;
-class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
 
-class vtkIndirectCoarseLevels
+class vtkIndirectCoarseLevels : public vtkIndirectResource
 {
 public:
-  vtkIndirectCoarseLevels();
-  ~vtkIndirectCoarseLevels();
+  explicit vtkIndirectCoarseLevels(vtkIndirectResource* owner);
+  ~vtkIndirectCoarseLevels() override;
 
   /** A level's triangles; positions relative to Middle, in the mesh's coordinates. */
   struct Level
@@ -62,8 +62,10 @@ public:
   /** Adds the levels to a key of pictures. */
   void AppendTo(vtkIndirectKey& key) const;
   void AddToReport(vtkIndirectReport& report) const;
+
+protected:
   /** Releases OpenGL objects; the levels stay. */
-  void Release(vtkWindow* window);
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   struct Entry

@@ -77,8 +77,9 @@ vtkOpenGLPolyDataMapper* FindMapper(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectDepthDrawer::vtkIndirectDepthDrawer()
-  : Vertices(vtkSmartPointer<vtkOpenGLVertexArrayObject>::New())
+vtkIndirectDepthDrawer::vtkIndirectDepthDrawer(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Vertices(vtkSmartPointer<vtkOpenGLVertexArrayObject>::New())
 {
 }
 
@@ -213,7 +214,7 @@ void vtkIndirectDepthDrawer::End()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDepthDrawer::Release(vtkWindow*)
+void vtkIndirectDepthDrawer::ReleaseOwn(vtkWindow*)
 {
   this->Vertices->ReleaseGraphicsResources();
   this->Program = nullptr;

@@ -7,6 +7,7 @@
 #define vtkIndirectDepthDrawer_h
 
 #include "Capture/vtkIndirectCoarseLevels.h" // for levels
+#include "OpenGL/vtkIndirectResource.h"      // for the base class
 #include "vtkSmartPointer.h"                 // for a member
 
 #include <glm/glm.hpp> // for matrices
@@ -16,13 +17,12 @@ class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkProp;
 class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectDepthDrawer
+class vtkIndirectDepthDrawer : public vtkIndirectResource
 {
 public:
-  vtkIndirectDepthDrawer();
-  ~vtkIndirectDepthDrawer();
+  explicit vtkIndirectDepthDrawer(vtkIndirectResource* owner);
+  ~vtkIndirectDepthDrawer() override;
 
   /**
    * True if this draws the same depth as the prop's mapper, and the mapper's buffers are current:
@@ -40,7 +40,8 @@ public:
   size_t CountTriangles() const;
   void End();
 
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   vtkShaderProgram* Program = nullptr;

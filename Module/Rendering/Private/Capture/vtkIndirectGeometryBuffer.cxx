@@ -24,7 +24,7 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "geometry.lit", "vtkiLit", "VTK's shading with shadows, premultiplied alpha", GL_RGBA32F,
     "view", "VTK radiance" },
   { "geometry.surface", "vtkiSurface", "linear depth, octahedral normal and kind, facet's normal",
@@ -34,7 +34,6 @@ const vtkIndirectChannel Channels[] = {
   // Only if a material of the scene is specular.
   { "geometry.specular", "vtkiSpecular", "specular reflectance, power of the lobe or -roughness",
     GL_RGBA16F, "-", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Stand-ins for props that draw only colour, and one after all props.
@@ -61,9 +60,10 @@ StandIns ReplaceColorOnly(
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectGeometryBuffer::vtkIndirectGeometryBuffer()
-  : Target(new vtkIndirectTarget(Channels, true))
-  , ClearKernel(new vtkIndirectFullScreenProgram("vtkIndirectClearFS.glsl"))
+vtkIndirectGeometryBuffer::vtkIndirectGeometryBuffer(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Target(new vtkIndirectTarget(this, Channels, true))
+  , ClearKernel(new vtkIndirectFullScreenProgram(this, "vtkIndirectClearFS.glsl"))
 {
   this->Target->SetNumberOfChannels(this->NumberOfChannels);
 }
@@ -171,11 +171,7 @@ bool vtkIndirectGeometryBuffer::DrawMore(
   const vtkIndirectFrame& frame, const std::function<bool()>& draw)
 {
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
   this->Target->Begin();
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglEnable(GL_DEPTH_TEST);
@@ -201,8 +197,6 @@ bool vtkIndirectGeometryBuffer::Clear(vtkOpenGLRenderWindow* window, bool backgr
 {
   vtkOpenGLState* state = window->GetState();
   vtkIndirectFullScreenState kernelState(window);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
   if (!this->ClearKernel->Use(window))
   {
     return false;
@@ -225,18 +219,11 @@ bool vtkIndirectGeometryBuffer::Clear(vtkOpenGLRenderWindow* window, bool backgr
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectGeometryBuffer::ActivateAlbedo(vtkShaderProgram* program) const
+void vtkIndirectGeometryBuffer::ActivateAlbedo(const vtkIndirectProgram& program) const
 {
   this->Target->Activate(Lit, program);
   if (!this->HasAlbedoInLit())
   {
     this->Target->Activate(Albedo, program);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectGeometryBuffer::Release(vtkWindow* window)
-{
-  this->Target->Release(window);
-  this->ClearKernel->Release();
 }

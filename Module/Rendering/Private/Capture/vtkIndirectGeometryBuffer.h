@@ -16,6 +16,7 @@
 #define vtkIndirectGeometryBuffer_h
 
 #include "Capture/vtkIndirectGeometryChannels.h" // for its channels
+#include "OpenGL/vtkIndirectResource.h"          // for a base class
 
 #include <functional> // for additional draws
 #include <memory>     // for the target
@@ -27,15 +28,16 @@ class vtkIndirectFullScreenProgram;
 class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
 class vtkRenderState;
-class vtkShaderProgram;
+class vtkIndirectProgram;
 class vtkSurfaceCapturePass;
-class vtkWindow;
 
-class vtkIndirectGeometryBuffer : public vtkIndirectGeometryChannels
+class vtkIndirectGeometryBuffer
+  : public vtkIndirectGeometryChannels
+  , public vtkIndirectResource
 {
 public:
-  vtkIndirectGeometryBuffer();
-  ~vtkIndirectGeometryBuffer();
+  explicit vtkIndirectGeometryBuffer(vtkIndirectResource* owner = nullptr);
+  ~vtkIndirectGeometryBuffer() override;
 
   /**
    * Draws the opaque props, attached to `capture`, into the buffer. shadows: maps for shadow
@@ -67,14 +69,13 @@ public:
   {
     return this->HasAlbedoInLit() ? "#define VTKI_ALBEDO_IN_ALPHA\n" : "";
   }
-  void ActivateAlbedo(vtkShaderProgram* program) const;
+  void ActivateAlbedo(const vtkIndirectProgram& program) const;
   /** True if the buffer may hold encoded colours. */
   bool HasEncoded() const { return this->Encoded; }
   /** True if the last frame has the channel Specular. */
   bool HasSpecular() const { return this->NumberOfChannels > Specular; }
 
   int GetNumberOfRenderedProps() const { return this->NumberOfRenderedProps; }
-  void Release(vtkWindow* window);
 
 private:
   // True if a depth of one can only be the cleared value, but for a sliver in front of the far

@@ -15,7 +15,7 @@ bool vtkIndirectReceiverGrid::Resize(const vtkIndirectFrame& frame, int step)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectReceiverGrid::SetUniforms(vtkShaderProgram* program) const
+void vtkIndirectReceiverGrid::SetUniforms(const vtkIndirectProgram& program) const
 {
   const int size[2] = { this->GetWidth(), this->GetHeight() };
   program->SetUniformi("vtkiStep", this->Step);
@@ -23,7 +23,7 @@ void vtkIndirectReceiverGrid::SetUniforms(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectReceiverGrid::ActivateAll(vtkShaderProgram* program) const
+void vtkIndirectReceiverGrid::ActivateAll(const vtkIndirectProgram& program) const
 {
   for (int channel = 0; channel < this->GetNumberOfChannels(); ++channel)
   {

@@ -14,8 +14,8 @@ struct vtkIndirectFrame;
 class vtkIndirectReceiverGrid : public vtkIndirectTarget
 {
 public:
-  explicit vtkIndirectReceiverGrid(const vtkIndirectChannel* channels)
-    : vtkIndirectTarget(channels, false)
+  vtkIndirectReceiverGrid(vtkIndirectResource* owner, const vtkIndirectChannels& channels)
+    : vtkIndirectTarget(owner, channels, false)
   {
   }
 
@@ -35,10 +35,9 @@ public:
     return "#define VTKI_STEP " + std::to_string(step) + "\n";
   }
   /** Sets the step and the number of samples, for shaders that make samples. */
-  void SetUniforms(vtkShaderProgram* program) const;
-  /** Binds all channels and sets these uniforms, for shaders that interpolate; pair with
-   * Deactivate. */
-  void ActivateAll(vtkShaderProgram* program) const;
+  void SetUniforms(const vtkIndirectProgram& program) const;
+  /** Binds all channels and sets these uniforms, for shaders that interpolate. */
+  void ActivateAll(const vtkIndirectProgram& program) const;
 
 private:
   int Step = 1;

@@ -18,34 +18,27 @@ namespace
 {
 // The picture has the format of the framebuffer that it is copied from: eight bits, or floats,
 // which keep values above white.
-const vtkIndirectChannel Pictures[][2] = {
-  { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA8, "view",
-      "VTK radiance" },
-    { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
-  { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA16F, "view",
-      "VTK radiance" },
-    { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
-  { { "antialiasing.picture", "vtkiPicture", "the picture before", GL_RGBA32F, "view",
-      "VTK radiance" },
-    { nullptr, nullptr, nullptr, 0, nullptr, nullptr } },
-};
+vtkIndirectChannels MakePicture(unsigned int format)
+{
+  return { { "antialiasing.picture", "vtkiPicture", "the picture before", format, "view",
+    "VTK radiance" } };
+}
+const vtkIndirectChannels Pictures[] = { MakePicture(GL_RGBA8), MakePicture(GL_RGBA16F),
+  MakePicture(GL_RGBA32F) };
 
-const vtkIndirectChannel ContrastChannels[] = {
+const vtkIndirectChannels ContrastChannels = {
   { "antialiasing.contrasts", "vtkiContrasts", "contrasts with the left and the lower neighbour",
     GL_RGBA8, "view", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-const vtkIndirectChannel EdgeChannels[] = {
+const vtkIndirectChannels EdgeChannels = {
   { "antialiasing.edges", "vtkiEdges", "edges of rows and columns, 32 in a word", GL_RGBA32UI, "-",
     "bits" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-const vtkIndirectChannel TileChannels[] = {
+const vtkIndirectChannels TileChannels = {
   { "antialiasing.tiles", "vtkiTiles", "1 where a tile has contrasts, then edges", GL_R32F, "-",
     "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Pixels along an edge of a tile, a divisor of 32: smaller tiles skip more pixels, larger tiles are
@@ -54,20 +47,28 @@ constexpr int Tile = 8;
 }
 
 //------------------------------------------------------------------------------
-struct vtkIndirectAntialiasing::Internals
+struct vtkIndirectAntialiasing::Internals : vtkIndirectResource
 {
+  using vtkIndirectResource::vtkIndirectResource;
+  void ReleaseOwn(vtkWindow*) override
+  {
+    this->Refused = false;
+    this->Picture.reset();
+  }
+
   std::unique_ptr<vtkIndirectTarget> Picture;
   unsigned int Format = 0; // OpenGL format of the picture
-  vtkIndirectTarget Contrasts{ ContrastChannels, false };
-  vtkIndirectFullScreenProgram FindContrasts{ "vtkIndirectContrastFS.glsl" };
-  vtkIndirectFullScreenProgram FindContrastTiles{ "vtkIndirectContrastTilesFS.glsl" };
-  vtkIndirectPointProgram KeepOutlines{ "vtkIndirectEdgePointVS.glsl",
+  vtkIndirectTarget Contrasts{ this, ContrastChannels, false };
+  vtkIndirectFullScreenProgram FindContrasts{ this, "vtkIndirectContrastFS.glsl" };
+  vtkIndirectFullScreenProgram FindContrastTiles{ this, "vtkIndirectContrastTilesFS.glsl" };
+  vtkIndirectPointProgram KeepOutlines{ this, "vtkIndirectEdgePointVS.glsl",
     "vtkIndirectOutlinePointFS.glsl" };
-  vtkIndirectTarget Edges{ EdgeChannels, false };
-  vtkIndirectFullScreenProgram FindEdges{ "vtkIndirectEdgesFS.glsl" };
-  vtkIndirectTarget Tiles{ TileChannels, false };
-  vtkIndirectFullScreenProgram FindTiles{ "vtkIndirectEdgeTilesFS.glsl" };
-  vtkIndirectPointProgram Blend{ "vtkIndirectEdgePointVS.glsl", "vtkIndirectEdgePointFS.glsl" };
+  vtkIndirectTarget Edges{ this, EdgeChannels, false };
+  vtkIndirectFullScreenProgram FindEdges{ this, "vtkIndirectEdgesFS.glsl" };
+  vtkIndirectTarget Tiles{ this, TileChannels, false };
+  vtkIndirectFullScreenProgram FindTiles{ this, "vtkIndirectEdgeTilesFS.glsl" };
+  vtkIndirectPointProgram Blend{ this, "vtkIndirectEdgePointVS.glsl",
+    "vtkIndirectEdgePointFS.glsl" };
 
   bool Refused = false; // OpenGL has refused, and an error was reported
   std::string WhyNot;   // reason of the last frame
@@ -84,7 +85,7 @@ struct vtkIndirectAntialiasing::Internals
 
   // Sets the uniforms of a program that draws one point for each tile.
   void SetTileUniforms(
-    vtkShaderProgram* program, const vtkIndirectFrame& frame, const int origin[2])
+    const vtkIndirectProgram& program, const vtkIndirectFrame& frame, const int origin[2])
   {
     this->Tiles.Activate(0, program);
     program->SetUniform2i("vtkiTileCount", this->TileCount);
@@ -99,17 +100,13 @@ struct vtkIndirectAntialiasing::Internals
   bool Copy(const vtkIndirectFrame& frame)
   {
     const unsigned int format = vtkIndirectTarget::FindBoundColorFormat();
-    if (this->Picture && format != this->Format)
-    {
-      this->Picture->Release(frame.Window);
-      this->Picture = nullptr;
-    }
-    if (!this->Picture)
+    if (!this->Picture || format != this->Format)
     {
       this->Format = format;
-      this->Picture = std::make_unique<vtkIndirectTarget>(Pictures[format == GL_RGBA8 ? 0
-                                                              : format == GL_RGBA16F  ? 1
-                                                                                      : 2],
+      this->Picture = std::make_unique<vtkIndirectTarget>(this,
+        Pictures[format == GL_RGBA8 ? 0
+            : format == GL_RGBA16F  ? 1
+                                    : 2],
         false);
     }
     return this->Picture->Resize(frame.Window, frame.Size[0], frame.Size[1]) &&
@@ -117,8 +114,9 @@ struct vtkIndirectAntialiasing::Internals
   }
 };
 
-vtkIndirectAntialiasing::vtkIndirectAntialiasing()
-  : Internal(new Internals)
+vtkIndirectAntialiasing::vtkIndirectAntialiasing(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Internal(new Internals(this))
 {
 }
 
@@ -183,10 +181,8 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
 {
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkShaderProgram* program = this->FindContrasts.Use(frame.Window, this->Definitions);
+  vtkIndirectProgram program = this->FindContrasts.Use(frame.Window, this->Definitions);
   if (!program)
   {
     return false;
@@ -195,7 +191,6 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   this->Picture->Activate(0, program);
   program->SetUniform2i("vtkiSize", frame.Size);
   this->FindContrasts.Draw();
-  this->Picture->Deactivate();
   this->Contrasts.End();
   program = this->FindContrastTiles.Use(frame.Window);
   if (!program)
@@ -207,7 +202,6 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   program->SetUniform2i("vtkiSize", frame.Size);
   program->SetUniformi("vtkiTile", Tile);
   this->FindContrastTiles.Draw();
-  this->Contrasts.Deactivate();
   this->Tiles.End();
   program = this->KeepOutlines.Use(frame.Window, "");
   if (!program)
@@ -224,8 +218,6 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
   const int origin[2] = { 0, 0 };
   this->SetTileUniforms(program, frame, origin);
   this->KeepOutlines.Draw(this->TileCount[0] * this->TileCount[1], Tile);
-  this->Tiles.Deactivate();
-  geometry.GetTarget().Deactivate();
   this->Contrasts.End();
   return true;
 }
@@ -233,9 +225,8 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
 //------------------------------------------------------------------------------
 bool vtkIndirectAntialiasing::Internals::FindEdgeWords(const vtkIndirectFrame& frame)
 {
-  vtkOpenGLState::ScopedglScissor scissor(frame.Window->GetState());
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkShaderProgram* program = this->FindEdges.Use(frame.Window);
+  vtkIndirectProgram program = this->FindEdges.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -245,7 +236,6 @@ bool vtkIndirectAntialiasing::Internals::FindEdgeWords(const vtkIndirectFrame& f
   program->SetUniform2i("vtkiSize", frame.Size);
   program->SetUniformi("vtkiRows", this->Rows);
   this->FindEdges.Draw();
-  this->Contrasts.Deactivate();
   this->Edges.End();
   program = this->FindTiles.Use(frame.Window);
   if (!program)
@@ -257,7 +247,6 @@ bool vtkIndirectAntialiasing::Internals::FindEdgeWords(const vtkIndirectFrame& f
   program->SetUniformi("vtkiRows", this->Rows);
   program->SetUniformi("vtkiTile", Tile);
   this->FindTiles.Draw();
-  this->Edges.Deactivate();
   this->Tiles.End();
   return true;
 }
@@ -269,7 +258,7 @@ bool vtkIndirectAntialiasing::Internals::BlendEdges(
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-  vtkShaderProgram* program = this->Blend.Use(frame.Window, this->Definitions);
+  vtkIndirectProgram program = this->Blend.Use(frame.Window, this->Definitions);
   if (!program)
   {
     return false;
@@ -285,38 +274,5 @@ bool vtkIndirectAntialiasing::Internals::BlendEdges(
   this->Edges.Activate(0, program);
   this->SetTileUniforms(program, frame, frame.Origin);
   this->Blend.Draw(this->TileCount[0] * this->TileCount[1], Tile);
-  this->Tiles.Deactivate();
-  geometry.GetTarget().Deactivate();
-  this->Edges.Deactivate();
-  this->Picture->Deactivate();
   return true;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectAntialiasing::GetBytes() const
-{
-  const Internals& in = *this->Internal;
-  return in.Contrasts.GetBytes() + in.Edges.GetBytes() + in.Tiles.GetBytes() +
-    (in.Picture ? in.Picture->GetBytes() : 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAntialiasing::Release(vtkWindow* window)
-{
-  Internals& in = *this->Internal;
-  in.Refused = false;
-  if (in.Picture)
-  {
-    in.Picture->Release(window);
-    in.Picture = nullptr;
-  }
-  in.Contrasts.Release(window);
-  in.FindContrasts.Release();
-  in.FindContrastTiles.Release();
-  in.KeepOutlines.Release();
-  in.Edges.Release(window);
-  in.FindEdges.Release();
-  in.Tiles.Release(window);
-  in.FindTiles.Release();
-  in.Blend.Release();
 }

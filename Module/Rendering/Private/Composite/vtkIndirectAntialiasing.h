@@ -10,19 +10,18 @@
 #ifndef vtkIndirectAntialiasing_h
 #define vtkIndirectAntialiasing_h
 
-#include <cstddef> // for size_t
-#include <memory>  // for the internals
-#include <string>  // for a reason
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include <memory>                       // for the internals
+#include <string>                       // for a reason
 
 class vtkIndirectGeometryBuffer;
-class vtkWindow;
 struct vtkIndirectFrame;
 
-class vtkIndirectAntialiasing
+class vtkIndirectAntialiasing : public vtkIndirectResource
 {
 public:
-  vtkIndirectAntialiasing();
-  ~vtkIndirectAntialiasing();
+  explicit vtkIndirectAntialiasing(vtkIndirectResource* owner);
+  ~vtkIndirectAntialiasing() override;
 
   /**
    * Works on the frame's part of the framebuffer that is bound for drawing, which holds the
@@ -32,9 +31,6 @@ public:
   void Apply(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
   /** Reason why the last frame's edges are not antialiased; empty if they are. */
   const std::string& GetWhyNot() const;
-
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
 
 private:
   struct Internals;

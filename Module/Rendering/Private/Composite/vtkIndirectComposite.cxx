@@ -20,9 +20,8 @@
 
 namespace
 {
-const vtkIndirectChannel ImageChannels[] = {
+const vtkIndirectChannels ImageChannels = {
   { "image", "vtkiImage", "one channel of the frame", GL_RGBA32F, "world", "world units" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Channels for viewing: names, debug views, PrintSelf and the documentation use this table.
@@ -71,15 +70,17 @@ const Shown MapChannels[] = {
 }
 
 //------------------------------------------------------------------------------
-struct vtkIndirectComposite::Internals
+struct vtkIndirectComposite::Internals : vtkIndirectResource
 {
-  vtkIndirectTarget Image{ ImageChannels, false };
+  using vtkIndirectResource::vtkIndirectResource;
+
+  vtkIndirectTarget Image{ this, ImageChannels, false };
   // One program for linear colours only, one for encoded colours too.
-  vtkIndirectFullScreenProgram Composite[2] = { { "vtkIndirectCompositeFS.glsl" },
-    { "vtkIndirectCompositeFS.glsl" } };
-  vtkIndirectFullScreenProgram DrawChannel{ "vtkIndirectChannelFS.glsl" };
-  vtkIndirectFullScreenProgram DrawMapChannel{ "vtkIndirectMapChannelFS.glsl" };
-  vtkIndirectFullScreenProgram Display{ "vtkIndirectDisplayFS.glsl" };
+  vtkIndirectFullScreenProgram Composite[2] = { { this, "vtkIndirectCompositeFS.glsl" },
+    { this, "vtkIndirectCompositeFS.glsl" } };
+  vtkIndirectFullScreenProgram DrawChannel{ this, "vtkIndirectChannelFS.glsl" };
+  vtkIndirectFullScreenProgram DrawMapChannel{ this, "vtkIndirectMapChannelFS.glsl" };
+  vtkIndirectFullScreenProgram Display{ this, "vtkIndirectDisplayFS.glsl" };
   const Shown* Channel = nullptr;
   double Farthest = 1.0; // world units
 
@@ -89,7 +90,7 @@ struct vtkIndirectComposite::Internals
   }
 
   // The program depends on the form of the irradiance.
-  static vtkShaderProgram* Use(
+  static vtkIndirectProgram Use(
     vtkIndirectFullScreenProgram& kernel, const Input& input, const std::string& definitions)
   {
     kernel.SetGather(!input.Estimate ? "vtkIndirectIrradianceNone.glsl"
@@ -104,7 +105,7 @@ struct vtkIndirectComposite::Internals
     return kernel.Use(input.Frame.Window);
   }
 
-  static void ActivateFrame(vtkShaderProgram* program, const Input& input)
+  static void ActivateFrame(const vtkIndirectProgram& program, const Input& input)
   {
     const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
     const vtkIndirectEstimate* const estimate = input.Estimate;
@@ -146,35 +147,11 @@ struct vtkIndirectComposite::Internals
     program->SetUniformf(
       "vtkiIrradianceUnit", estimate ? static_cast<float>(estimate->Unit) : 0.0f);
   }
-
-  static void DeactivateFrame(const Input& input)
-  {
-    input.Geometry.GetTarget().Deactivate();
-    for (const vtkIndirectTarget* direct :
-      { input.Sky, input.SkyBounce, input.Area, input.AreaGlossy })
-    {
-      if (direct)
-      {
-        direct->Deactivate();
-      }
-    }
-    if (!input.Estimate)
-    {
-      return;
-    }
-    for (const vtkIndirectTarget* target : std::initializer_list<const vtkIndirectTarget*>{
-           input.Estimate->Irradiance, input.Estimate->Coarse, input.Estimate->Glossy })
-    {
-      if (target)
-      {
-        target->Deactivate();
-      }
-    }
-  }
 };
 
-vtkIndirectComposite::vtkIndirectComposite()
-  : Internal(new Internals)
+vtkIndirectComposite::vtkIndirectComposite(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Internal(new Internals(this))
 {
 }
 
@@ -277,7 +254,7 @@ bool vtkIndirectComposite::Composite(const Input& input)
       vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Depth) ==
         vtkIndirectBackEndChoices::DepthByCopy &&
       input.Geometry.GetTarget().CopyDepth(frame.Origin));
-  vtkShaderProgram* program = Internals::Use(kernel, input,
+  vtkIndirectProgram program = Internals::Use(kernel, input,
     std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
       (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));
   if (!program)
@@ -305,7 +282,6 @@ bool vtkIndirectComposite::Composite(const Input& input)
   }
   program->SetUniform2i("vtkiOrigin", frame.Origin);
   kernel.Draw();
-  Internals::DeactivateFrame(input);
   return true;
 }
 
@@ -329,16 +305,13 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
     size[1] = input.Maps->GetTexels();
     size[0] = input.Maps->GetMap(map).NumberOfFaces * size[1];
   }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   vtkIndirectFullScreenProgram& kernel = ofMap ? in.DrawMapChannel : in.DrawChannel;
   if (!in.Image.Resize(frame.Window, size[0], size[1]))
   {
     return false;
   }
-  vtkShaderProgram* program = ofMap ? kernel.Use(frame.Window) : Internals::Use(kernel, input, "");
+  vtkIndirectProgram program = ofMap ? kernel.Use(frame.Window) : Internals::Use(kernel, input, "");
   if (!program)
   {
     return false;
@@ -352,7 +325,6 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
     program->SetUniformi("vtkiFirstLayer", lightMap.FirstLayer);
     program->SetUniformi("vtkiChannel", MapChannels[mapChannel].Number);
     kernel.Draw();
-    input.Maps->Deactivate();
     in.Channel = &MapChannels[mapChannel];
     in.Farthest = lightMap.Far / frame.SceneScale;
   }
@@ -365,7 +337,6 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
     vtkIndirectSetUniform(
       program, "vtkiViewToWorldDirection", glm::mat3(glm::inverse(glm::dmat3(frame.WorldToView))));
     kernel.Draw();
-    Internals::DeactivateFrame(input);
     in.Channel = &FrameChannels[channel];
     in.Farthest = frame.Far / frame.SceneScale;
   }
@@ -380,10 +351,6 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::function
     { "", "", "", 0, 3, 1.0f, 0.0f } };
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   if (!in.Image.Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {
@@ -419,7 +386,7 @@ bool vtkIndirectComposite::ShowImage(const Input& input)
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkShaderProgram* program = in.Display.Use(frame.Window);
+  vtkIndirectProgram program = in.Display.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -433,20 +400,5 @@ bool vtkIndirectComposite::ShowImage(const Input& input)
   vtkIndirectSetUniform(program, "vtkiScaleBias",
     glm::vec2(isLength ? 1.0 / in.Farthest : in.Channel->Scale, in.Channel->Bias));
   in.Display.Draw();
-  in.Image.Deactivate();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectComposite::Release(vtkWindow* window)
-{
-  Internals& in = *this->Internal;
-  in.Image.Release(window);
-  for (vtkIndirectFullScreenProgram& composite : in.Composite)
-  {
-    composite.Release();
-  }
-  in.DrawChannel.Release();
-  in.DrawMapChannel.Release();
-  in.Display.Release();
 }

@@ -15,7 +15,8 @@
 #ifndef vtkIndirectComposite_h
 #define vtkIndirectComposite_h
 
-#include "vtkIndent.h" // for printing
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkIndent.h"                  // for printing
 
 #include <functional>  // for other buffers
 #include <glm/glm.hpp> // for colours
@@ -27,15 +28,14 @@ class vtkIndirectGeometryBuffer;
 class vtkIndirectTarget;
 class vtkImageData;
 class vtkIndirectLightMaps;
-class vtkWindow;
 struct vtkIndirectEstimate;
 struct vtkIndirectFrame;
 
-class vtkIndirectComposite
+class vtkIndirectComposite : public vtkIndirectResource
 {
 public:
-  vtkIndirectComposite();
-  ~vtkIndirectComposite();
+  explicit vtkIndirectComposite(vtkIndirectResource* owner);
+  ~vtkIndirectComposite() override;
 
   struct Input
   {
@@ -81,7 +81,6 @@ public:
   void CopyImage(vtkImageData* image);
   /** Shows the rendered channel in the bound framebuffer. */
   bool ShowImage(const Input& input);
-  void Release(vtkWindow* window);
 
 private:
   struct Internals;

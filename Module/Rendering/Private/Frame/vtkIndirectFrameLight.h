@@ -5,18 +5,17 @@
 #ifndef vtkIndirectFrameLight_h
 #define vtkIndirectFrameLight_h
 
-#include "Frame/vtkIndirectEstimate.h" // for inputs and results
+#include "Frame/vtkIndirectEstimate.h"  // for inputs and results
+#include "OpenGL/vtkIndirectResource.h" // for the base class
 
 class vtkIndirectKey;
-class vtkWindow;
 struct vtkIndirectReport;
 
-class vtkIndirectFrameLight
+class vtkIndirectFrameLight : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
   using Input = vtkIndirectEstimateInput;
-
-  virtual ~vtkIndirectFrameLight() = default;
 
   /** The name of the light in the report. */
   virtual const char* GetName() const = 0;
@@ -48,7 +47,6 @@ public:
 
   /** Adds a frame with this light to the report. */
   virtual void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const = 0;
-  virtual void Release(vtkWindow* window) = 0;
 };
 
 #endif

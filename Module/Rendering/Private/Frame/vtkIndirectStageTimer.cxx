@@ -15,7 +15,6 @@ constexpr size_t MaximumNumberOfFrames = 1000;
 // Returns the bits of the GPU's clock that the current context can read; 0 without timer queries.
 int FindCounterBits()
 {
-#ifdef GL_TIMESTAMP
   GLint version[2] = { 0, 0 };
   glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
   glGetIntegerv(GL_MINOR_VERSION, &version[1]);
@@ -36,9 +35,6 @@ int FindCounterBits()
   GLint bits = 0;
   glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
   return bits;
-#else
-  return 0;
-#endif
 }
 }
 
@@ -130,7 +126,6 @@ void vtkIndirectStageTimer::End(Stage stage)
 size_t vtkIndirectStageTimer::Query()
 {
   const size_t place = this->NumberOfUsedQueries++;
-#ifdef GL_TIMESTAMP
   if (place == this->Queries.size())
   {
     GLuint query = 0;
@@ -138,7 +133,6 @@ size_t vtkIndirectStageTimer::Query()
     this->Queries.push_back(query);
   }
   glQueryCounter(this->Queries[place], GL_TIMESTAMP);
-#endif
   return place;
 }
 
@@ -147,7 +141,6 @@ size_t vtkIndirectStageTimer::Query()
 double vtkIndirectStageTimer::Measure(const Interval& interval) const
 {
   uint64_t passed = 0;
-#ifdef GL_TIMESTAMP
   GLuint64 begin = 0;
   GLuint64 end = 0;
   glGetQueryObjectui64v(this->Queries[interval.Begin], GL_QUERY_RESULT, &begin);
@@ -156,9 +149,6 @@ double vtkIndirectStageTimer::Measure(const Interval& interval) const
   const uint64_t mask = ~uint64_t{ 0 } >> (64 - std::min(this->CounterBits, 64));
   passed = (end - begin) & mask;
   passed = passed > mask / 2 ? 0 : passed;
-#else
-  (void)interval;
-#endif
   return 1e-6 * static_cast<double>(passed);
 }
 
@@ -178,12 +168,10 @@ void vtkIndirectStageTimer::ReadQueries()
 //------------------------------------------------------------------------------
 void vtkIndirectStageTimer::Release()
 {
-#ifdef GL_TIMESTAMP
   if (!this->Queries.empty())
   {
     glDeleteQueries(static_cast<GLsizei>(this->Queries.size()), this->Queries.data());
   }
-#endif
   this->Queries.clear();
   this->Intervals.clear();
   this->Window = nullptr;

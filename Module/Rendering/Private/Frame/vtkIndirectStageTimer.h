@@ -7,10 +7,9 @@
 #include "vtkOpenGLRenderWindow.h" // for the weak pointer
 #include "vtkWeakPointer.h"        // for members
 
-#include <array>   // for stages
-#include <chrono>  // for time points
-#include <cstdint> // for the GPU's time points
-#include <vector>  // for samples
+#include <array>  // for stages
+#include <chrono> // for time points
+#include <vector> // for samples
 
 class vtkIndirectStageTimer
 {

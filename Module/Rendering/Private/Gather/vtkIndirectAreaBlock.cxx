@@ -22,8 +22,9 @@ glm::vec4 Row(const glm::dvec3& v, double w)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaBlock::vtkIndirectAreaBlock(size_t lamps, size_t points)
-  : Lamps(lamps)
+vtkIndirectAreaBlock::vtkIndirectAreaBlock(vtkIndirectResource* owner, size_t lamps, size_t points)
+  : vtkIndirectResource(owner)
+  , Lamps(lamps)
   , Points(points)
 {
 }

@@ -3,6 +3,7 @@
 #ifndef vtkIndirectAreaBlock_h
 #define vtkIndirectAreaBlock_h
 
+#include "OpenGL/vtkIndirectResource.h"     // for the base class
 #include "OpenGL/vtkIndirectUniformBlock.h" // for a member
 
 #include <string> // for definitions
@@ -10,11 +11,11 @@
 class vtkIndirectAreaLamps;
 class vtkIndirectAreaMaps;
 
-class vtkIndirectAreaBlock
+class vtkIndirectAreaBlock : public vtkIndirectResource
 {
 public:
   /** Makes a block for at most this many lamps, and this many points of each lamp. */
-  vtkIndirectAreaBlock(size_t lamps, size_t points);
+  vtkIndirectAreaBlock(vtkIndirectResource* owner, size_t lamps, size_t points);
 
   /** Returns the definitions that shaders need before they include vtkIndirectAreaLamps.glsl. */
   std::string GetDefinitions() const;
@@ -22,15 +23,12 @@ public:
   /** Takes `count` lamps from `first` on. Without maps the lamps have no points. */
   void Update(vtkOpenGLRenderWindow* window, const vtkIndirectAreaLamps& lamps, size_t first,
     size_t count, const vtkIndirectAreaMaps* maps);
-  void Activate(vtkShaderProgram* program) const { this->Block.Activate(program); }
-
-  size_t GetBytes() const { return this->Block.GetBytes(); }
-  void Release() { this->Block.Release(); }
+  void Activate(const vtkIndirectProgram& program) const { this->Block.Activate(program); }
 
 private:
   size_t Lamps;
   size_t Points;
-  vtkIndirectUniformBlock Block{ "vtkiAreaBlock" };
+  vtkIndirectUniformBlock Block{ this, "vtkiAreaBlock" };
 };
 
 #endif

@@ -16,18 +16,18 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "area", "vtkiArea", "irradiance that comes directly from area lights", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaGather::vtkIndirectAreaGather(vtkIndirectDepthMaps& maps)
-  : Maps(maps, vtkIndirectDepthMaps::AREA_LIGHTS)
-  , Rounds(maps)
-  , Irradiance(Channels, false)
+vtkIndirectAreaGather::vtkIndirectAreaGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectFrameLight(owner)
+  , Maps(this, maps, vtkIndirectDepthMaps::AREA_LIGHTS)
+  , Rounds(this, maps)
+  , Irradiance(this, Channels, false)
 {
 }
 
@@ -123,11 +123,7 @@ bool vtkIndirectAreaGather::SumAll(const Input& input)
   {
     return false;
   }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
+  vtkIndirectFullScreenState kernelState(frame.Window);
   if (input.Still)
   {
     return this->SumIrradiance(input);
@@ -136,7 +132,6 @@ bool vtkIndirectAreaGather::SumAll(const Input& input)
   {
     return false;
   }
-  vtkIndirectFullScreenState kernelState(frame.Window);
   return this->SumLobes(input);
 }
 
@@ -217,7 +212,7 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   for (const auto& lamp : this->Lamps.Get())
   {
-    vtkShaderProgram* program = this->Kernel.Use(frame.Window);
+    vtkIndirectProgram program = this->Kernel.Use(frame.Window);
     done = program != nullptr;
     if (!done)
     {
@@ -227,18 +222,10 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
     vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp->Radiance));
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
     this->Kernel.Draw();
-    input.Geometry.GetTarget().Deactivate();
   }
   state->vtkglDisable(GL_BLEND);
   target.End();
   return done;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectAreaGather::GetBytes() const
-{
-  return this->Irradiance.GetBytes() + this->Lamps.GetBytes() + this->Samples.GetBytes() +
-    this->StillSamples.GetBytes() + this->Rounds.GetBytes() + this->Lobes.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -267,17 +254,4 @@ void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report, const vtkIndi
       std::to_string(left * this->Lamps.GetNumberOfPoints()) + " points of each area light",
       "further frames of a view that stands still ask them what hides the light");
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaGather::Release(vtkWindow* window)
-{
-  this->Irradiance.Release(window);
-  this->Maps.Release(window);
-  this->Rounds.Release(window);
-  this->Lamps.Release(window);
-  this->Samples.Release(window);
-  this->Lobes.Release(window);
-  this->StillSamples.Release(window);
-  this->Kernel.Release();
 }

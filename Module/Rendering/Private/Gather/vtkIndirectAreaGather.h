@@ -19,7 +19,7 @@
 class vtkIndirectAreaGather : public vtkIndirectFrameLight
 {
 public:
-  explicit vtkIndirectAreaGather(vtkIndirectDepthMaps& maps);
+  vtkIndirectAreaGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
 
   const char* GetName() const override { return "light of area lights"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
@@ -29,9 +29,6 @@ public:
   /** Sums the light. Further rounds of points of each light refine a still result. */
   vtkIndirectEstimate Sum(const Input& input) override;
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
-  void Release(vtkWindow* window) override;
-
-  size_t GetBytes() const;
 
 private:
   bool IsFinished() const;
@@ -42,15 +39,16 @@ private:
   bool SumRounds(const Input& input);
   bool SumOpen(const Input& input, vtkIndirectTarget& target);
 
-  vtkIndirectAreaLamps Lamps;
+  vtkIndirectAreaLamps Lamps{ this };
   vtkIndirectAreaMaps Maps; // maps of the first round
   bool Visible = false;     // something can hide the lamps
   bool Moving = false;
-  vtkIndirectFullScreenProgram Kernel{ "vtkIndirectAreaFS.glsl" }; // for lamps of one radiance
-  vtkIndirectAreaSamples Samples;                                  // for moving frames
-  vtkIndirectAreaSamples StillSamples;                             // for images, in still frames
+  vtkIndirectFullScreenProgram Kernel{ this,
+    "vtkIndirectAreaFS.glsl" };                // for lamps of one radiance
+  vtkIndirectAreaSamples Samples{ this };      // for moving frames
+  vtkIndirectAreaSamples StillSamples{ this }; // for images, in still frames
   vtkIndirectAreaRounds Rounds;
-  vtkIndirectAreaLobes Lobes;
+  vtkIndirectAreaLobes Lobes{ this };
   bool Specular = false; // some receivers are specular
   vtkIndirectTarget Irradiance;
 };

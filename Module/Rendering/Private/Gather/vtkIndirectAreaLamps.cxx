@@ -9,14 +9,12 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
-const vtkIndirectChannel PyramidChannels[] = {
+const vtkIndirectChannels PyramidChannels = {
   { "area.pyramid", "vtkiAreaPyramid", "mean radiance; three times its variance below", GL_RGBA32F,
     "-", "VTK radiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Rows of the images' common texture: half of what every OpenGL 4 allows, to be safe.
@@ -45,8 +43,9 @@ glm::dvec2 PlaceOf(unsigned int number)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaLamps::vtkIndirectAreaLamps()
-  : Texture(PyramidChannels, false)
+vtkIndirectAreaLamps::vtkIndirectAreaLamps(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Texture(this, PyramidChannels, false)
 {
 }
 
@@ -180,8 +179,8 @@ bool vtkIndirectAreaLamps::Update(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaLamps::SetUniforms(
-  vtkShaderProgram* program, const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp)
+void vtkIndirectAreaLamps::SetUniforms(const vtkIndirectProgram& program,
+  const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp)
 {
   vtkIndirectSetEyeUniforms(program, frame);
   program->SetUniform2i("vtkiSize", frame.Size);
@@ -236,9 +235,8 @@ bool vtkIndirectAreaLamps::UpdateTexture(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaLamps::Release(vtkWindow* window)
+void vtkIndirectAreaLamps::ReleaseOwn(vtkWindow*)
 {
-  this->Texture.Release(window);
   this->Lamps.clear();
   this->Width = this->Height = 0;
 }

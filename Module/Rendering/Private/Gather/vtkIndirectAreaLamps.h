@@ -7,6 +7,7 @@
 #define vtkIndirectAreaLamps_h
 
 #include "Gather/vtkIndirectAreaPyramid.h"      // for members
+#include "OpenGL/vtkIndirectResource.h"         // for the base class
 #include "OpenGL/vtkIndirectTarget.h"           // for a member
 #include "VirtualLights/vtkIndirectRectangle.h" // for places
 #include "vtkSmartPointer.h"                    // for lights
@@ -16,14 +17,12 @@
 #include <memory>      // for lamps
 #include <vector>      // for lists
 
-class vtkShaderProgram;
-class vtkWindow;
 struct vtkIndirectFrame;
 
-class vtkIndirectAreaLamps
+class vtkIndirectAreaLamps : public vtkIndirectResource
 {
 public:
-  vtkIndirectAreaLamps();
+  explicit vtkIndirectAreaLamps(vtkIndirectResource* owner);
 
   /** Points of a lamp in a round. With many lamps each has fewer points, but at least LeastPoints.
    */
@@ -55,8 +54,8 @@ public:
     const vtkIndirectFrame& frame, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
   const List& Get() const { return this->Lamps; }
   /** Sets the uniforms of the eye and of a lamp's place. */
-  static void SetUniforms(
-    vtkShaderProgram* program, const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp);
+  static void SetUniforms(const vtkIndirectProgram& program, const vtkIndirectFrame& frame,
+    const vtkIndirectRectangle& lamp);
 
   /** Returns the number of points of each lamp in a round. */
   int GetNumberOfPoints() const;
@@ -72,8 +71,8 @@ public:
   /** Returns that texture, vtkiAreaPyramid. Valid only if some lamp has an image. */
   const vtkIndirectTarget& GetTexture() const { return this->Texture; }
 
-  size_t GetBytes() const { return this->Texture.GetBytes(); }
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   void UpdateLamp(Lamp& lamp, vtkAreaLight* light, int texels);

@@ -15,17 +15,15 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "area.glossy", "vtkiAreaGlossy", "what receivers reflect specularly of area lights", GL_RGBA32F,
     "-", "VTK radiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel TableChannels[] = {
+const vtkIndirectChannels TableChannels = {
   { "lobe.transforms", "vtkiLobeTransforms", "entries of inverse transforms", GL_RGBA32F, "-",
     "1" },
   { "lobe.integrals", "vtkiLobeIntegrals", "of the lobe, and with Schlick's weight", GL_RGBA32F,
     "-", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 constexpr size_t MostPoints = vtkIndirectAreaLamps::MostPoints;
 constexpr size_t RowsOfPoint = 5; // rows of a point in the block
@@ -33,10 +31,11 @@ constexpr size_t RowsOfSides = 10;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaLobes::vtkIndirectAreaLobes()
-  : Kernels{ { "vtkIndirectAreaLobeFS.glsl" }, { "vtkIndirectAreaLobeFS.glsl" } }
-  , Tables(TableChannels, false)
-  , Reflected(Channels, false)
+vtkIndirectAreaLobes::vtkIndirectAreaLobes(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Kernels{ { this, "vtkIndirectAreaLobeFS.glsl" }, { this, "vtkIndirectAreaLobeFS.glsl" } }
+  , Tables(this, TableChannels, false)
+  , Reflected(this, Channels, false)
 {
 }
 
@@ -71,7 +70,8 @@ bool vtkIndirectAreaLobes::UpdateTables(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaLobes::SetPoints(const Input& input, vtkShaderProgram* program, size_t number)
+void vtkIndirectAreaLobes::SetPoints(
+  const Input& input, const vtkIndirectProgram& program, size_t number)
 {
   const Lamp& lamp = *input.Lamps.Get()[number];
   const vtkIndirectAreaMaps& maps = *input.Maps;
@@ -107,7 +107,7 @@ bool vtkIndirectAreaLobes::AddLamp(const Input& input, size_t number)
   const Lamp& lamp = *input.Lamps.Get()[number];
   const vtkIndirectFrame& frame = input.Frame;
   const bool image = lamp.Row >= 0;
-  vtkShaderProgram* program = this->Kernels[image].Use(frame.Window,
+  vtkIndirectProgram program = this->Kernels[image].Use(frame.Window,
     "#define VTKI_AREA_POINTS " + std::to_string(MostPoints) + "\n" +
       (input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
       (frame.PhysicallyBased ? "#define VTKI_LOBE_TABLE\n" : "") +
@@ -144,19 +144,6 @@ bool vtkIndirectAreaLobes::AddLamp(const Input& input, size_t number)
     input.Maps->GetAtlas().Activate(program);
   }
   this->Kernels[image].Draw();
-  if (input.Maps)
-  {
-    input.Maps->GetAtlas().Deactivate();
-  }
-  if (image)
-  {
-    input.Lamps.GetTexture().Deactivate();
-  }
-  if (frame.PhysicallyBased)
-  {
-    this->Tables.Deactivate();
-  }
-  geometry.Deactivate();
   return true;
 }
 
@@ -183,22 +170,4 @@ bool vtkIndirectAreaLobes::Sum(const Input& input)
   state->vtkglDisable(GL_BLEND);
   this->Reflected.End();
   return done;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectAreaLobes::GetBytes() const
-{
-  return this->Reflected.GetBytes() + this->Tables.GetBytes() + this->Block.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaLobes::Release(vtkWindow* window)
-{
-  this->Reflected.Release(window);
-  this->Tables.Release(window);
-  this->Block.Release();
-  for (vtkIndirectFullScreenProgram& kernel : this->Kernels)
-  {
-    kernel.Release();
-  }
 }

@@ -6,18 +6,18 @@
 
 #include "Gather/vtkIndirectAreaLamps.h"         // for lamps
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "OpenGL/vtkIndirectUniformBlock.h"      // for members
 
 class vtkIndirectAreaMaps;
 class vtkIndirectGeometryBuffer;
-class vtkWindow;
 struct vtkIndirectFrame;
 
-class vtkIndirectAreaLobes
+class vtkIndirectAreaLobes : public vtkIndirectResource
 {
 public:
-  vtkIndirectAreaLobes();
+  explicit vtkIndirectAreaLobes(vtkIndirectResource* owner);
 
   struct Input
   {
@@ -35,17 +35,14 @@ public:
   /** Returns radiance in VTK's units, with each pixel's own reflectance. */
   const vtkIndirectTarget& GetReflected() const { return this->Reflected; }
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
-
 private:
   using Lamp = vtkIndirectAreaLamps::Lamp;
 
   bool UpdateTables(const Input& input);
   bool AddLamp(const Input& input, size_t number);
-  void SetPoints(const Input& input, vtkShaderProgram* program, size_t number);
+  void SetPoints(const Input& input, const vtkIndirectProgram& program, size_t number);
 
-  vtkIndirectUniformBlock Block{ "vtkiAreaLobeBlock" };
+  vtkIndirectUniformBlock Block{ this, "vtkiAreaLobeBlock" };
   vtkIndirectFullScreenProgram Kernels[2]; // for one radiance, for images
   vtkIndirectTarget Tables;                // transforms, integrals
   vtkIndirectTarget Reflected;

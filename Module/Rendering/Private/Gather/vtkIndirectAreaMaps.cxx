@@ -4,8 +4,6 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 
-#include <algorithm>
-
 namespace
 {
 // Texels along an edge of all maps of a round together, without strips: 16 MB.
@@ -124,7 +122,7 @@ glm::dvec4 vtkIndirectAreaMaps::GetRange(size_t lamp, size_t side) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaMaps::Release(vtkWindow* window)
+void vtkIndirectAreaMaps::ReleaseOwn(vtkWindow* window)
 {
   this->DepthMaps.Release(this->Client, window);
   this->Lamps.clear();

@@ -5,6 +5,7 @@
 #define vtkIndirectAreaMaps_h
 
 #include "Gather/vtkIndirectAreaLamps.h"        // for points
+#include "OpenGL/vtkIndirectResource.h"         // for the base class
 #include "Visibility/vtkIndirectCasterWindow.h" // for members
 #include "Visibility/vtkIndirectDepthMaps.h"    // for depth maps
 
@@ -12,11 +13,13 @@
 
 struct vtkIndirectFrame;
 
-class vtkIndirectAreaMaps
+class vtkIndirectAreaMaps : public vtkIndirectResource
 {
 public:
-  vtkIndirectAreaMaps(vtkIndirectDepthMaps& maps, vtkIndirectDepthMaps::ClientType client)
-    : DepthMaps(maps)
+  vtkIndirectAreaMaps(
+    vtkIndirectResource* owner, vtkIndirectDepthMaps& maps, vtkIndirectDepthMaps::ClientType client)
+    : vtkIndirectResource(owner)
+    , DepthMaps(maps)
     , Client(client)
     , Atlas(maps.Get(client))
   {
@@ -50,7 +53,9 @@ public:
   glm::dvec4 GetRange(size_t lamp, size_t side) const;
 
   const vtkIndirectDepthAtlas& GetAtlas() const { return this->Atlas; }
-  void Release(vtkWindow* window);
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   // The data made from a lamp, and their inputs.

@@ -2,7 +2,6 @@
 #include "Gather/vtkIndirectAreaPyramid.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {

@@ -10,25 +10,24 @@
 
 namespace
 {
-const vtkIndirectChannel OpenChannels[] = {
+const vtkIndirectChannels OpenChannels = {
   { "area.open", "vtkiAreaOpen", "irradiance if nothing hid area lights", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel SumChannels[] = {
+const vtkIndirectChannels SumChannels = {
   { "area.seen", "vtkiAreaSeen", "what points of area lights give that are seen", GL_RGBA32F, "-",
     "VTK irradiance" },
   { "area.all", "vtkiAreaAll", "what all of them would", GL_RGBA32F, "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaRounds::vtkIndirectAreaRounds(vtkIndirectDepthMaps& maps)
-  : Maps(maps, vtkIndirectDepthMaps::AREA_ROUNDS)
-  , Block(1, vtkIndirectAreaLamps::MostPoints)
-  , Open(OpenChannels, false)
-  , Sums(SumChannels, false)
+vtkIndirectAreaRounds::vtkIndirectAreaRounds(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectResource(owner)
+  , Maps(this, maps, vtkIndirectDepthMaps::AREA_ROUNDS)
+  , Block(this, 1, vtkIndirectAreaLamps::MostPoints)
+  , Open(this, OpenChannels, false)
+  , Sums(this, SumChannels, false)
 {
 }
 
@@ -51,7 +50,7 @@ bool vtkIndirectAreaRounds::Add(const Input& input, const vtkIndirectAreaMaps& m
   bool done = true;
   for (size_t i = 0; done && i < input.Lamps.Get().size(); ++i)
   {
-    vtkShaderProgram* program = this->ShareKernel.Use(frame.Window, this->Block.GetDefinitions());
+    vtkIndirectProgram program = this->ShareKernel.Use(frame.Window, this->Block.GetDefinitions());
     done = program != nullptr;
     if (done)
     {
@@ -64,8 +63,6 @@ bool vtkIndirectAreaRounds::Add(const Input& input, const vtkIndirectAreaMaps& m
       input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
       maps.GetAtlas().Activate(program);
       this->ShareKernel.Draw();
-      maps.GetAtlas().Deactivate();
-      input.Geometry.GetTarget().Deactivate();
     }
   }
   state->vtkglDisable(GL_BLEND);
@@ -103,34 +100,14 @@ bool vtkIndirectAreaRounds::Continue(const Input& input)
 bool vtkIndirectAreaRounds::Multiply(const vtkIndirectFrame& frame, vtkIndirectTarget& irradiance)
 {
   irradiance.Begin();
-  vtkShaderProgram* program = this->ProductKernel.Use(frame.Window);
+  vtkIndirectProgram program = this->ProductKernel.Use(frame.Window);
   if (program)
   {
     this->Open.Activate(0, program);
     this->Sums.Activate(0, program);
     this->Sums.Activate(1, program);
     this->ProductKernel.Draw();
-    this->Sums.Deactivate();
-    this->Open.Deactivate();
   }
   irradiance.End();
   return program != nullptr;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectAreaRounds::GetBytes() const
-{
-  return this->Open.GetBytes() + this->Sums.GetBytes() + this->Block.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaRounds::Release(vtkWindow* window)
-{
-  this->Open.Release(window);
-  this->Sums.Release(window);
-  this->Maps.Release(window);
-  this->Block.Release();
-  this->ShareKernel.Release();
-  this->ProductKernel.Release();
-  this->Rounds = 0;
 }

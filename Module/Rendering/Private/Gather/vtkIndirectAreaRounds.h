@@ -8,16 +8,16 @@
 #include "Gather/vtkIndirectAreaBlock.h"         // for a member
 #include "Gather/vtkIndirectAreaMaps.h"          // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 
 class vtkIndirectGeometryBuffer;
-class vtkWindow;
 struct vtkIndirectFrame;
 
-class vtkIndirectAreaRounds
+class vtkIndirectAreaRounds : public vtkIndirectResource
 {
 public:
-  explicit vtkIndirectAreaRounds(vtkIndirectDepthMaps& maps);
+  vtkIndirectAreaRounds(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
 
   struct Input
   {
@@ -50,8 +50,8 @@ public:
   int GetNumberOfRounds() const { return this->Rounds; }
   bool IsFinished() const { return this->Rounds >= vtkIndirectAreaLamps::NumberOfRounds; }
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow*) override { this->Rounds = 0; }
 
 private:
   bool Add(const Input& input, const vtkIndirectAreaMaps& maps);
@@ -61,8 +61,8 @@ private:
   vtkIndirectAreaBlock Block;
   vtkIndirectTarget Open;
   vtkIndirectTarget Sums;
-  vtkIndirectFullScreenProgram ShareKernel{ "vtkIndirectAreaShareFS.glsl" };
-  vtkIndirectFullScreenProgram ProductKernel{ "vtkIndirectAreaProductFS.glsl" };
+  vtkIndirectFullScreenProgram ShareKernel{ this, "vtkIndirectAreaShareFS.glsl" };
+  vtkIndirectFullScreenProgram ProductKernel{ this, "vtkIndirectAreaProductFS.glsl" };
 };
 
 #endif

@@ -13,18 +13,16 @@
 
 namespace
 {
-const vtkIndirectChannel OpenChannels[] = {
+const vtkIndirectChannels OpenChannels = {
   { "area.open", "vtkiAreaOpen", "irradiance if nothing hid area lights; distance", GL_RGBA32F, "-",
     "VTK irradiance" },
   { "area.openFront", "vtkiAreaOpenFront", "a bit for each lamp that sends light to its side of it",
     GL_RGBA32F, "-", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel SampleChannels[] = {
+const vtkIndirectChannels SampleChannels = {
   { "area.light", "vtkiAreaLight", "irradiance from area lights; distance over that of samples",
     GL_RGBA32F, "-", "VTK irradiance" },
   { "area.share", "vtkiAreaShare", "share of it that is seen", GL_RGBA32F, "-", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Pixels between places of known unoccluded light, and between samples; the same numbers are in
@@ -36,18 +34,19 @@ constexpr size_t LampsOfBatch = 8;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectAreaSamples::vtkIndirectAreaSamples()
-  : Block(LampsOfBatch, NumberOfPoints)
-  , Open(OpenChannels)
-  , Samples(SampleChannels)
+vtkIndirectAreaSamples::vtkIndirectAreaSamples(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Block(this, LampsOfBatch, NumberOfPoints)
+  , Open(this, OpenChannels)
+  , Samples(this, SampleChannels)
 {
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectAreaSamples::Use(
+vtkIndirectProgram vtkIndirectAreaSamples::Use(
   const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel, int step)
 {
-  vtkShaderProgram* program = kernel.Use(input.Frame.Window,
+  vtkIndirectProgram program = kernel.Use(input.Frame.Window,
     std::string(input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
       (batch.Images > 0 ? "#define VTKI_AREA_IMAGE\n" : "") + this->Block.GetDefinitions() +
       "#define VTKI_AREA_DISTANCES " + std::to_string(input.Distances) + ".0f\n" +
@@ -74,20 +73,6 @@ vtkShaderProgram* vtkIndirectAreaSamples::Use(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaSamples::Deactivate(const Input& input, const Batch& batch)
-{
-  input.Geometry.GetTarget().Deactivate();
-  if (input.Maps)
-  {
-    input.Maps->GetAtlas().Deactivate();
-  }
-  if (batch.Images > 0)
-  {
-    input.Lamps.GetTexture().Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectAreaSamples::FindOpen(const Input& input, const Batch& batch)
 {
   this->Open.Begin();
@@ -96,7 +81,6 @@ bool vtkIndirectAreaSamples::FindOpen(const Input& input, const Batch& batch)
   {
     this->OpenKernel.Draw();
   }
-  this->Deactivate(input, batch);
   this->Open.End();
   return done;
 }
@@ -105,14 +89,12 @@ bool vtkIndirectAreaSamples::FindOpen(const Input& input, const Batch& batch)
 bool vtkIndirectAreaSamples::FindSamples(const Input& input, const Batch& batch)
 {
   this->Samples.Begin();
-  vtkShaderProgram* program = this->Use(input, batch, this->SampleKernel, OpenStep);
+  vtkIndirectProgram program = this->Use(input, batch, this->SampleKernel, OpenStep);
   if (program)
   {
     this->Open.ActivateAll(program);
     this->SampleKernel.Draw();
-    this->Open.Deactivate();
   }
-  this->Deactivate(input, batch);
   this->Samples.End();
   return program != nullptr;
 }
@@ -122,7 +104,7 @@ bool vtkIndirectAreaSamples::Interpolate(
   const Input& input, const Batch& batch, vtkIndirectTarget& irradiance)
 {
   irradiance.Begin();
-  vtkShaderProgram* program = this->Use(input, batch, this->SumKernel, SampleStep);
+  vtkIndirectProgram program = this->Use(input, batch, this->SumKernel, SampleStep);
   if (program)
   {
     this->Samples.ActivateAll(program);
@@ -135,9 +117,7 @@ bool vtkIndirectAreaSamples::Interpolate(
     }
     this->SumKernel.Draw();
     state->vtkglDisable(GL_BLEND);
-    this->Samples.Deactivate();
   }
-  this->Deactivate(input, batch);
   irradiance.End();
   return program != nullptr;
 }
@@ -164,23 +144,4 @@ bool vtkIndirectAreaSamples::Sum(const Input& input, vtkIndirectTarget& irradian
       this->Interpolate(input, batch, irradiance);
   }
   return done;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectAreaSamples::GetBytes() const
-{
-  return this->Open.GetBytes() + this->Samples.GetBytes() + this->Block.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaSamples::Release(vtkWindow* window)
-{
-  this->Open.Release(window);
-  this->Samples.Release(window);
-  this->Block.Release();
-  for (vtkIndirectFullScreenProgram* kernel :
-    { &this->OpenKernel, &this->SampleKernel, &this->SumKernel })
-  {
-    kernel->Release();
-  }
 }

@@ -12,18 +12,16 @@
 #include "Gather/vtkIndirectAreaBlock.h"         // for a member
 #include "Gather/vtkIndirectAreaLamps.h"         // for lamps
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for targets
-
-#include <string> // for definitions
 
 class vtkIndirectAreaMaps;
 class vtkIndirectGeometryBuffer;
-class vtkShaderProgram;
 
-class vtkIndirectAreaSamples
+class vtkIndirectAreaSamples : public vtkIndirectResource
 {
 public:
-  vtkIndirectAreaSamples();
+  explicit vtkIndirectAreaSamples(vtkIndirectResource* owner);
 
   /** Number of points of a lamp that are looked up. */
   static constexpr int NumberOfPoints = 16;
@@ -49,9 +47,6 @@ public:
    */
   bool Sum(const Input& input, vtkIndirectTarget& irradiance);
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
-
 private:
   // The lamps of one draw.
   struct Batch
@@ -61,9 +56,8 @@ private:
     int Images;
   };
 
-  vtkShaderProgram* Use(
+  vtkIndirectProgram Use(
     const Input& input, const Batch& batch, vtkIndirectFullScreenProgram& kernel, int step);
-  void Deactivate(const Input& input, const Batch& batch);
   bool FindOpen(const Input& input, const Batch& batch);
   bool FindSamples(const Input& input, const Batch& batch);
   bool Interpolate(const Input& input, const Batch& batch, vtkIndirectTarget& irradiance);
@@ -71,9 +65,9 @@ private:
   vtkIndirectAreaBlock Block;
   vtkIndirectReceiverGrid Open;
   vtkIndirectReceiverGrid Samples;
-  vtkIndirectFullScreenProgram OpenKernel{ "vtkIndirectAreaOpenFS.glsl" };
-  vtkIndirectFullScreenProgram SampleKernel{ "vtkIndirectAreaSamplesFS.glsl" };
-  vtkIndirectFullScreenProgram SumKernel{ "vtkIndirectAreaSumFS.glsl" };
+  vtkIndirectFullScreenProgram OpenKernel{ this, "vtkIndirectAreaOpenFS.glsl" };
+  vtkIndirectFullScreenProgram SampleKernel{ this, "vtkIndirectAreaSamplesFS.glsl" };
+  vtkIndirectFullScreenProgram SumKernel{ this, "vtkIndirectAreaSumFS.glsl" };
 };
 
 #endif

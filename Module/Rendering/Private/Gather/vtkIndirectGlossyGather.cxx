@@ -32,7 +32,7 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimateInput& input, vtkIndi
     ? visibility.GetMaximumNumberOfSegments() / vtkIndirectSampler::RowLength
     : RowsPerDraw;
   const int rows = input.Lights ? input.Lights->GetNumberOfRows() : 1;
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  vtkIndirectProgram program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -80,22 +80,5 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimateInput& input, vtkIndi
   }
   state->vtkglDisable(GL_BLEND);
   glossy.End();
-  geometry.Deactivate();
-  visibility.Deactivate();
-  if (input.Lights)
-  {
-    input.Lights->Deactivate();
-  }
-  else
-  {
-    input.Maps.Deactivate();
-  }
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectGlossyGather::Release()
-{
-  this->Lights.Release();
-  this->Neighbors.Release();
 }

@@ -5,12 +5,15 @@
 
 #include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 
 class vtkIndirectTarget;
 
-class vtkIndirectGlossyGather
+class vtkIndirectGlossyGather : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
+
   /** Texels around a receiver's place in each map, for an estimator without a sampler. */
   struct Neighborhood
   {
@@ -25,12 +28,10 @@ public:
   bool Sum(const vtkIndirectEstimateInput& input, vtkIndirectTarget& glossy, double unit,
     const Neighborhood& neighborhood);
 
-  void Release();
-
 private:
-  vtkIndirectFullScreenProgram Lights{ "vtkIndirectGlossyFS.glsl",
+  vtkIndirectFullScreenProgram Lights{ this, "vtkIndirectGlossyFS.glsl",
     "vtkIndirectGatherVirtualLights.glsl" };
-  vtkIndirectFullScreenProgram Neighbors{ "vtkIndirectGlossyFS.glsl",
+  vtkIndirectFullScreenProgram Neighbors{ this, "vtkIndirectGlossyFS.glsl",
     "vtkIndirectGatherNeighborhood.glsl" };
 };
 

@@ -14,10 +14,9 @@
 
 namespace
 {
-const vtkIndirectChannel CoarseChannels[] = {
+const vtkIndirectChannels CoarseChannels = {
   { "lobes.coarse", "vtkiCoarse", "irradiance of lobes at every few pixels, variation", GL_RGBA32F,
     "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Rows of 256 lights in one draw: long draws stall a desktop, and some drivers abort them.
@@ -28,8 +27,9 @@ constexpr double Least = 1e-3;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectLobeGather::vtkIndirectLobeGather()
-  : Coarse(CoarseChannels)
+vtkIndirectLobeGather::vtkIndirectLobeGather(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Coarse(this, CoarseChannels)
 {
 }
 
@@ -105,7 +105,7 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
 {
   const vtkIndirectFrame& frame = input.Frame;
   const vtkIndirectVirtualLights& lights = *input.Lights;
-  vtkShaderProgram* program = kernel.Use(
+  vtkIndirectProgram program = kernel.Use(
     frame.Window, definitions + input.Visibility.GetDefinitions() + lights.GetDefinitions());
   if (!program)
   {
@@ -150,22 +150,5 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
   }
   state->vtkglDisable(GL_BLEND);
   target.End();
-  if (interpolates)
-  {
-    this->Coarse.Deactivate();
-  }
-  geometry.Deactivate();
-  input.Visibility.Deactivate();
-  lights.DeactivateLobes();
-  lights.Deactivate();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectLobeGather::Release(vtkWindow* window)
-{
-  this->Coarse.Release(window);
-  this->AtSamples.Release();
-  this->AtPixels.Release();
-  this->InGlossy.Release();
 }

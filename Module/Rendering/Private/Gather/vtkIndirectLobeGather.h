@@ -8,14 +8,15 @@
 #include "Capture/vtkIndirectReceiverGrid.h"     // for a member
 #include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for targets
 
 #include <string> // for definitions
 
-class vtkIndirectLobeGather
+class vtkIndirectLobeGather : public vtkIndirectResource
 {
 public:
-  vtkIndirectLobeGather();
+  explicit vtkIndirectLobeGather(vtkIndirectResource* owner);
 
   /** The targets of sums: images of the frame's size, where a value of one means `Unit`. */
   struct Output
@@ -39,9 +40,6 @@ public:
    */
   bool AddToGlossy(const vtkIndirectEstimateInput& input, vtkIndirectTarget& glossy);
 
-  size_t GetBytes() const { return this->Coarse.GetBytes(); }
-  void Release(vtkWindow* window);
-
 private:
   static int FindRowsPerDraw(const vtkIndirectEstimateInput& input);
   bool Draw(const vtkIndirectEstimateInput& input, vtkIndirectFullScreenProgram& kernel,
@@ -49,9 +47,9 @@ private:
     double tolerance, int rowsPerDraw);
 
   vtkIndirectReceiverGrid Coarse;
-  vtkIndirectFullScreenProgram AtSamples{ "vtkIndirectLobeFS.glsl" };
-  vtkIndirectFullScreenProgram AtPixels{ "vtkIndirectLobeFS.glsl" };
-  vtkIndirectFullScreenProgram InGlossy{ "vtkIndirectLobeFS.glsl" };
+  vtkIndirectFullScreenProgram AtSamples{ this, "vtkIndirectLobeFS.glsl" };
+  vtkIndirectFullScreenProgram AtPixels{ this, "vtkIndirectLobeFS.glsl" };
+  vtkIndirectFullScreenProgram InGlossy{ this, "vtkIndirectLobeFS.glsl" };
 };
 
 #endif

@@ -18,27 +18,23 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "sky", "vtkiSky", "irradiance that comes directly from the environment", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 const char* const SumMeaning = "what is seen of the directions asked; what they would give";
-const vtkIndirectChannel SumChannels[] = {
+const vtkIndirectChannels SumChannels = {
   { "sky.sums", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel StillChannels[] = {
+const vtkIndirectChannels StillChannels = {
   { "sky.sums0", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums1", "vtkiSkySums1", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums2", "vtkiSkySums2", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums3", "vtkiSkySums3", SumMeaning, GL_RGBA32F, "-", "their unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel OpenChannels[] = {
+const vtkIndirectChannels OpenChannels = {
   { "sky.open", "vtkiOpenSky", "irradiance by normals if nothing hid the sky; of the directions",
     GL_RG32F, "world", "their unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // The same number is in vtkIndirectSkyDirections.glsl.
@@ -55,12 +51,13 @@ constexpr int StrongTexels = 1024;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectDepthMaps& maps)
-  : DepthMaps(maps)
-  , Irradiance(Channels, false)
-  , Sums{ { StillChannels, false }, { SumChannels, false } }
-  , Rows(SumChannels, false)
-  , OpenSky(OpenChannels, false)
+vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectFrameLight(owner)
+  , DepthMaps(maps)
+  , Irradiance(this, Channels, false)
+  , Sums{ { this, StillChannels, false }, { this, SumChannels, false } }
+  , Rows(this, SumChannels, false)
+  , OpenSky(this, OpenChannels, false)
   , Groups{ { {}, {}, StrongTexels, vtkIndirectDepthMaps::STRONG_SKY,
               maps.Get(vtkIndirectDepthMaps::STRONG_SKY) },
     { {}, {}, 0, vtkIndirectDepthMaps::SKY, maps.Get(vtkIndirectDepthMaps::SKY) } }
@@ -236,7 +233,7 @@ std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkyGather::SetBlock(const Input& input, vtkShaderProgram* program,
+void vtkIndirectSkyGather::SetBlock(const Input& input, const vtkIndirectProgram& program,
   const Group& group, const Terms& terms, size_t first, size_t size)
 {
   const std::vector<glm::vec4> block = this->MakeBlock(group, terms, first, size);
@@ -301,10 +298,6 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
     return false;
   }
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   state->vtkglBlendFunc(GL_ONE, GL_ONE);
   bool done = true;
@@ -333,7 +326,7 @@ std::string vtkIndirectSkyGather::GetDefinitions(int block, int step) const
 
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::Activate(
-  const Input& input, const Group* group, vtkShaderProgram* program)
+  const Input& input, const Group* group, const vtkIndirectProgram& program)
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
@@ -341,16 +334,6 @@ void vtkIndirectSkyGather::Activate(
   if (group && this->Visible)
   {
     group->Atlas.Activate(program);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSkyGather::Deactivate(const Input& input, const Group* group)
-{
-  input.Geometry.GetTarget().Deactivate();
-  if (group && this->Visible)
-  {
-    group->Atlas.Deactivate();
   }
 }
 
@@ -379,7 +362,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   vtkIndirectFullScreenProgram& kernel = this->SumKernels[step > 1];
   kernel.SetDefinitions(
     this->GetDefinitions(SumBlock, step) + (step > 1 ? "" : "#define VTKI_SKY_PIXELS 4\n"));
-  vtkShaderProgram* program = kernel.Use(input.Frame.Window);
+  vtkIndirectProgram program = kernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -409,7 +392,6 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
       glFlush();
     }
   }
-  this->Deactivate(input, &group);
   state->vtkglDisable(GL_BLEND);
   sums.End();
   return true;
@@ -423,7 +405,7 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
   this->RowKernel.SetDefinitions(
     "#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n");
-  vtkShaderProgram* program = this->RowKernel.Use(input.Frame.Window);
+  vtkIndirectProgram program = this->RowKernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -433,8 +415,6 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
   sums.Activate(0, program);
   program->SetUniform2i("vtkiSkyPart", part);
   this->RowKernel.Draw();
-  sums.Deactivate();
-  this->Deactivate(input, nullptr);
   this->Rows.End();
   return true;
 }
@@ -447,7 +427,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
   kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
-  vtkShaderProgram* program = kernel.Use(input.Frame.Window);
+  vtkIndirectProgram program = kernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -468,9 +448,6 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
     this->SetBlock(input, program, *group, terms, 0, OwnBlock);
   }
   kernel.Draw();
-  this->OpenSky.Deactivate();
-  sums.Deactivate();
-  this->Deactivate(input, group);
   this->Irradiance.End();
   return true;
 }
@@ -481,7 +458,7 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
   const Group& group = this->Groups[Strong];
   const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
   this->StrongKernel.SetDefinitions(this->GetDefinitions(SumBlock, 1) + "#define VTKI_FILTERED\n");
-  vtkShaderProgram* program = this->StrongKernel.Use(input.Frame.Window);
+  vtkIndirectProgram program = this->StrongKernel.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -492,21 +469,8 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
   // There are at most 32 strong directions.
   this->SetBlock(input, program, group, terms, 0, SumBlock);
   this->StrongKernel.Draw();
-  this->Deactivate(input, &group);
   this->Irradiance.End();
   return true;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSkyGather::GetBytes() const
-{
-  size_t bytes = this->Block.GetBytes();
-  for (const vtkIndirectTarget* target :
-    { &this->Irradiance, &this->Sums[0], &this->Sums[1], &this->Rows, &this->OpenSky })
-  {
-    bytes += target->GetBytes();
-  }
-  return bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -532,25 +496,12 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report, const vtkIndir
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkyGather::Release(vtkWindow* window)
+void vtkIndirectSkyGather::ReleaseOwn(vtkWindow* window)
 {
-  for (vtkIndirectTarget* target :
-    { &this->Irradiance, &this->Sums[0], &this->Sums[1], &this->Rows, &this->OpenSky })
-  {
-    target->Release(window);
-  }
   this->OpenSkyIsThere = false;
-  this->Block.Release();
   for (const Group& group : this->Groups)
   {
     this->DepthMaps.Release(group.Client, window);
   }
-  for (int i = 0; i < 2; ++i)
-  {
-    this->SumKernels[i].Release();
-    this->ColumnKernels[i].Release();
-  }
-  this->RowKernel.Release();
-  this->StrongKernel.Release();
   this->Directions.Forget();
 }

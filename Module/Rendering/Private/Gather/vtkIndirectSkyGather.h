@@ -33,13 +33,12 @@
 #include <string>      // for definitions
 #include <vector>      // for lists
 
-class vtkShaderProgram;
 struct vtkIndirectFrame;
 
 class vtkIndirectSkyGather : public vtkIndirectFrameLight
 {
 public:
-  explicit vtkIndirectSkyGather(vtkIndirectDepthMaps& maps);
+  vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
 
   const char* GetName() const override { return "light from the sky"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
@@ -55,9 +54,9 @@ public:
   }
   vtkIndirectEstimate Sum(const Input& input) override;
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
-  void Release(vtkWindow* window) override;
 
-  size_t GetBytes() const;
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   using Summand = vtkIndirectSkyDirections::Summand;
@@ -85,13 +84,12 @@ private:
   Terms MakeTerms(const std::vector<Summand>& summands, bool strong) const;
   std::vector<glm::vec4> MakeBlock(
     const Group& group, const Terms& terms, size_t first, size_t size) const;
-  void SetBlock(const Input& input, vtkShaderProgram* program, const Group& group,
+  void SetBlock(const Input& input, const vtkIndirectProgram& program, const Group& group,
     const Terms& terms, size_t first, size_t size);
   bool UpdateOpenSky(const Input& input);
   bool SumAll(const Input& input);
   std::string GetDefinitions(int block, int step) const;
-  void Activate(const Input& input, const Group* group, vtkShaderProgram* program);
-  void Deactivate(const Input& input, const Group* group);
+  void Activate(const Input& input, const Group* group, const vtkIndirectProgram& program);
   bool SumOthers(const Input& input);
   bool FilterRows(const Input& input);
   bool FilterColumns(const Input& input);
@@ -111,15 +109,15 @@ private:
   Group Groups[NumberOfGroups];
   vtkIndirectSkyDirections Directions;
   std::vector<Summand> Summed; // summed directions of the others: those with maps represent all
-  vtkIndirectUniformBlock Block{ "vtkiSkyBlock" };
+  vtkIndirectUniformBlock Block{ this, "vtkiSkyBlock" };
 
   // Programs for still and moving frames, which alternate too often to be built again each time.
-  vtkIndirectFullScreenProgram SumKernels[2]{ { "vtkIndirectSkyFS.glsl" },
-    { "vtkIndirectSkyFS.glsl" } };
-  vtkIndirectFullScreenProgram ColumnKernels[2]{ { "vtkIndirectSkyFilterFS.glsl" },
-    { "vtkIndirectSkyFilterFS.glsl" } };
-  vtkIndirectFullScreenProgram RowKernel{ "vtkIndirectSkyFilterFS.glsl" };
-  vtkIndirectFullScreenProgram StrongKernel{ "vtkIndirectSkyFS.glsl" };
+  vtkIndirectFullScreenProgram SumKernels[2]{ { this, "vtkIndirectSkyFS.glsl" },
+    { this, "vtkIndirectSkyFS.glsl" } };
+  vtkIndirectFullScreenProgram ColumnKernels[2]{ { this, "vtkIndirectSkyFilterFS.glsl" },
+    { this, "vtkIndirectSkyFilterFS.glsl" } };
+  vtkIndirectFullScreenProgram RowKernel{ this, "vtkIndirectSkyFilterFS.glsl" };
+  vtkIndirectFullScreenProgram StrongKernel{ this, "vtkIndirectSkyFS.glsl" };
 
   vtkIndirectKey FitKey; // the inputs of the tiles' fit
   bool OpenSkyIsThere = false;

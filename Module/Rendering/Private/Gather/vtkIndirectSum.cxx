@@ -12,32 +12,28 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA32F, "-", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel HalfChannels[] = {
+const vtkIndirectChannels HalfChannels = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel GlossyChannels[] = {
+const vtkIndirectChannels GlossyChannels = {
   { "glossy", "vtkiGlossy", "indirect light in the specular lobe", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel HalfGlossyChannels[] = {
+const vtkIndirectChannels HalfGlossyChannels = {
   { "glossy", "vtkiGlossy", "indirect light in the specular lobe", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectSum::vtkIndirectSum(vtkIndirectEstimatorPass& pass)
   : Pass(pass)
-  , Irradiance(new vtkIndirectTarget(Channels, false))
-  , Glossy(new vtkIndirectTarget(GlossyChannels, false))
+  , Irradiance(new vtkIndirectTarget(this, Channels, false))
+  , Glossy(new vtkIndirectTarget(this, GlossyChannels, false))
   , Guard(vtkSmartPointer<vtkIndirectContextGuard>::New())
 {
   this->Guard->Release = [this](vtkWindow* window) { this->Pass.ReleaseGraphicsResources(window); };
@@ -60,24 +56,22 @@ void vtkIndirectSum::HoldContext(vtkOpenGLRenderWindow* window, vtkMTimeType use
   this->Guard->SetContext(window);
   if (user != this->User && this->User != 0)
   {
-    this->Release(window);
+    this->EndContext(window);
   }
   this->User = user;
   this->IsHolding = false;
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSum::Release(vtkWindow* window)
+bool vtkIndirectSum::EndContext(vtkWindow* window)
 {
   if (!window || !this->Guard->CanBeOf(window))
   {
     return false;
   }
   this->EstimateTime.Modified();
-  this->Irradiance->Release(window);
-  this->Glossy->Release(window);
+  this->Release(window);
   this->HasGlossy = false;
-  this->ReleaseOwn(window);
   return !this->IsHolding;
 }
 
@@ -135,12 +129,10 @@ void vtkIndirectSum::SetIrradianceStorage(vtkWindow* window, bool half, double u
   this->IrradianceUnit = unit;
   if (half != this->IrradianceIsHalf || depth != this->IrradianceHasDepth)
   {
-    this->Irradiance->Release(window);
     this->Irradiance =
-      std::make_unique<vtkIndirectTarget>(half ? HalfChannels : Channels, depth, 16);
-    this->Glossy->Release(window);
+      std::make_unique<vtkIndirectTarget>(this, half ? HalfChannels : Channels, depth, 16);
     this->Glossy =
-      std::make_unique<vtkIndirectTarget>(half ? HalfGlossyChannels : GlossyChannels, false);
+      std::make_unique<vtkIndirectTarget>(this, half ? HalfGlossyChannels : GlossyChannels, false);
     this->IrradianceIsHalf = half;
     this->IrradianceHasDepth = depth;
   }
@@ -158,12 +150,6 @@ bool vtkIndirectSum::ResizeGlossy(const Input& input)
   }
   this->HasGlossy = this->Glossy->Resize(frame.Window, frame.Size[0], frame.Size[1]);
   return this->HasGlossy;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSum::GetBytes() const
-{
-  return this->Irradiance->GetBytes() + this->Glossy->GetBytes();
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 
 #include "Frame/vtkIndirectEstimate.h"        // for results
 #include "Frame/vtkIndirectPlan.h"            // for abilities
+#include "OpenGL/vtkIndirectResource.h"       // for the base class
 #include "OpenGL/vtkIndirectTarget.h"         // for members
 #include "VirtualLights/vtkIndirectSampler.h" // for samplers
 #include "vtkSmartPointer.h"                  // for the guard
@@ -21,16 +22,14 @@ class vtkIndirectEstimatorPass;
 class vtkIndirectSettingList;
 struct vtkIndirectReport;
 
-class vtkIndirectSum
+class vtkIndirectSum : public vtkIndirectResource
 {
 public:
   using Input = vtkIndirectEstimateInput;
 
   /** pass: the public object that holds this one. */
   explicit vtkIndirectSum(vtkIndirectEstimatorPass& pass);
-  virtual ~vtkIndirectSum();
-  vtkIndirectSum(const vtkIndirectSum&) = delete;
-  void operator=(const vtkIndirectSum&) = delete;
+  ~vtkIndirectSum() override;
 
   static vtkIndirectSum& Get(const vtkIndirectEstimatorPass* pass);
 
@@ -45,7 +44,7 @@ public:
    * Releases all resources in the window's context; does nothing without a window. Returns true if
    * the pass that draws frames by this estimator alone has to release its resources, too.
    */
-  bool Release(vtkWindow* window);
+  bool EndContext(vtkWindow* window);
   /**
    * Grows with each estimate, and when resources are released: an estimate and its images are valid
    * as long as this number is the same as right after the estimate.
@@ -73,8 +72,6 @@ public:
     return users;
   }
 
-  /** Returns the bytes of textures and buffers. */
-  virtual size_t GetBytes() const;
   /** Returns the bytes of tables in main memory. */
   virtual size_t GetMainMemoryBytes() const { return 0; }
   /** Adds what the last frame modelled and left out to the report. Default: one diffuse bounce. */
@@ -99,8 +96,6 @@ public:
 protected:
   /** Makes the frame's irradiance; FAILED after an error. */
   virtual vtkIndirectEstimate Estimate(const Input& input) = 0;
-  /** Releases the resources of a subclass, in the context of this window. */
-  virtual void ReleaseOwn(vtkWindow* window) = 0;
 
   /**
    * Chooses whether the irradiance is stored in 16-bit floats, where a value of one means `unit`,

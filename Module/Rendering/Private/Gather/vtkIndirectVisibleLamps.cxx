@@ -107,7 +107,7 @@ bool vtkIndirectVisibleLamps::DrawLamp(
   }
   vtkTextureObject* const picture = this->FindPicture(frame.Window, light);
   vtkIndirectPointProgram& kernel = this->Kernels[picture != nullptr];
-  vtkShaderProgram* program = kernel.Use(frame.Window,
+  vtkIndirectProgram program = kernel.Use(frame.Window,
     std::string(geometry.GetAlbedoDefinitions()) +
       (geometry.HasEncoded() ? "#define VTKI_ENCODED\n" : "") +
       (picture ? "#define VTKI_LAMP_IMAGE\n" : ""));
@@ -131,8 +131,7 @@ bool vtkIndirectVisibleLamps::DrawLamp(
   vtkIndirectSetUniform(program, "vtkiLampNormal", glm::vec3(glm::normalize(inView)));
   if (picture)
   {
-    picture->Activate();
-    program->SetUniformi("vtkiLampImage", picture->GetTextureUnit());
+    program.Bind(picture, "vtkiLampImage");
   }
   else
   {
@@ -141,10 +140,6 @@ bool vtkIndirectVisibleLamps::DrawLamp(
     vtkIndirectSetUniform(program, "vtkiLampRadiance", glm::vec3(radiance));
   }
   kernel.DrawRectangle();
-  if (picture)
-  {
-    picture->Deactivate();
-  }
   return true;
 }
 
@@ -182,7 +177,7 @@ bool vtkIndirectVisibleLamps::Draw(
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectVisibleLamps::GetBytes() const
+size_t vtkIndirectVisibleLamps::GetOwnBytes() const
 {
   size_t bytes = 0;
   for (const auto& picture : this->Pictures)
@@ -195,15 +190,11 @@ size_t vtkIndirectVisibleLamps::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVisibleLamps::Release(vtkWindow* window)
+void vtkIndirectVisibleLamps::ReleaseOwn(vtkWindow* window)
 {
   for (const auto& picture : this->Pictures)
   {
     picture.second.Texture->ReleaseGraphicsResources(window);
   }
   this->Pictures.clear();
-  for (vtkIndirectPointProgram& kernel : this->Kernels)
-  {
-    kernel.Release();
-  }
 }

@@ -8,6 +8,7 @@
 #define vtkIndirectVisibleLamps_h
 
 #include "OpenGL/vtkIndirectPointProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"     // for the base class
 #include "vtkSmartPointer.h"                // for lights
 #include "vtkType.h"                        // for times
 
@@ -18,12 +19,12 @@ class vtkAreaLight;
 class vtkIndirectGeometryBuffer;
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
-class vtkWindow;
 struct vtkIndirectFrame;
 
-class vtkIndirectVisibleLamps
+class vtkIndirectVisibleLamps : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
   using Lights = std::vector<vtkSmartPointer<vtkAreaLight>>;
 
   /** Returns the number of lamps that are visible from some place. */
@@ -33,8 +34,9 @@ public:
   bool Draw(
     const vtkIndirectFrame& frame, const Lights& lights, vtkIndirectGeometryBuffer& geometry);
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  size_t GetOwnBytes() const override;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   // A light's image, with its means over halves, quarters and so on.
@@ -48,8 +50,9 @@ private:
   bool DrawLamp(
     const vtkIndirectFrame& frame, vtkAreaLight* light, const vtkIndirectGeometryBuffer& geometry);
 
-  vtkIndirectPointProgram Kernels[2] = { { "vtkIndirectLampVS.glsl", "vtkIndirectLampFS.glsl" },
-    { "vtkIndirectLampVS.glsl", "vtkIndirectLampFS.glsl" } }; // for one radiance, for images
+  vtkIndirectPointProgram Kernels[2] = { { this, "vtkIndirectLampVS.glsl",
+                                           "vtkIndirectLampFS.glsl" },
+    { this, "vtkIndirectLampVS.glsl", "vtkIndirectLampFS.glsl" } }; // for one radiance, for images
   std::map<vtkSmartPointer<vtkAreaLight>, Picture> Pictures;
 };
 

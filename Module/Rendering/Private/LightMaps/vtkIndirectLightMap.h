@@ -7,8 +7,7 @@
 #include "Frame/vtkIndirectFrame.h"        // for the light
 #include "vtkSmartPointer.h"               // for cameras
 
-#include <array>  // for cameras
-#include <vector> // for keys
+#include <array> // for cameras
 
 class vtkIndirectKey;
 class vtkOpenGLCamera;

@@ -25,13 +25,13 @@
 
 namespace
 {
-// Programs for maps alone pay from so many lights times faces on: a light costs 2 ms in a map of 512
-// by 512 texels (OpenGL on the processor), a program some 300 ms to compile, and its text 3 ms for
-// each caster, for there and back.
+// Programs for maps alone pay from so many lights times faces on: a light costs 2 ms in a map of
+// 512 by 512 texels (OpenGL on the processor), a program some 300 ms to compile, and its text 3 ms
+// for each caster, for there and back.
 constexpr size_t LightsOfOneBuild = 200;
 constexpr size_t LightsOfOneCaster = 2;
 
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "rsm.albedo", "vtkiMapAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
   { "rsm.surface", "vtkiMapSurface", "linear depth, octahedral normal and kind", GL_RG32F,
     "face view", "1, 1, scene units" },
@@ -40,7 +40,6 @@ const vtkIndirectChannel Channels[] = {
   // This channel exists only if senders have lobes.
   { "rsm.specular", "vtkiMapSpecular", "specular reflectance, power of the lobe or -roughness",
     GL_RGBA16F, "-", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 constexpr int SlopeChannel = 2;
@@ -55,8 +54,8 @@ constexpr int LeastTexels = 16;
 constexpr double MostTexelsOfAutomatic = 8.0 * 1024.0 * 1024.0;
 constexpr int LeastTexelsOfAutomatic = 512;
 
-// Returns the wanted texels along an edge, or a half, a quarter and so on down to the least, so that
-// all layers together have no more than `most` texels.
+// Returns the wanted texels along an edge, or a half, a quarter and so on down to the least, so
+// that all layers together have no more than `most` texels.
 int FindTexels(int texels, int layers, double most, int least)
 {
   while (texels / 2 >= least && 1.0 * layers * texels * texels > most)
@@ -68,9 +67,10 @@ int FindTexels(int texels, int layers, double most, int least)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectLightMaps::vtkIndirectLightMaps(vtkObject* caller)
-  : Caller(caller)
-  , Target(Channels)
+vtkIndirectLightMaps::vtkIndirectLightMaps(vtkIndirectResource* owner, vtkObject* caller)
+  : vtkIndirectResource(owner)
+  , Caller(caller)
+  , Target(this, Channels)
   , Guard(vtkSmartPointer<vtkIndirectContextGuard>::New())
 {
   this->Guard->Release = [this](vtkWindow* window) { this->Release(window); };
@@ -95,12 +95,6 @@ void vtkIndirectLightMaps::Print(ostream& os, vtkIndent indent) const
 bool vtkIndirectLightMaps::HasSpecular() const
 {
   return this->Target.GetNumberOfChannels() > ChannelsOfDiffuse;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectLightMaps::GetBytes() const
-{
-  return this->Target.GetBytes() + this->Rows.GetBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -347,7 +341,7 @@ void vtkIndirectLightMaps::UpdateFresnel(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLightMaps::Activate(vtkShaderProgram* program) const
+void vtkIndirectLightMaps::Activate(const vtkIndirectProgram& program) const
 {
   for (int i = 0; i < this->Target.GetNumberOfChannels(); ++i)
   {
@@ -380,24 +374,7 @@ vtkIndirectShadowMaps vtkIndirectLightMaps::ActivateShadows(vtkOpenGLRenderWindo
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLightMaps::Deactivate() const
+bool vtkIndirectLightMaps::CanRelease(vtkWindow* window)
 {
-  this->Target.Deactivate();
-  this->Rows.Deactivate();
-  this->TableTexture.Deactivate();
-  this->FresnelTexture.Deactivate();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectLightMaps::Release(vtkWindow* window)
-{
-  if (!window || !this->Guard->CanBeOf(window))
-  {
-    return;
-  }
-  this->Target.Release(window);
-  this->Rows.Release(window);
-  this->Faces.clear();
-  this->TableTexture.Release(window);
-  this->FresnelTexture.Release(window);
+  return window && this->Guard->CanBeOf(window);
 }

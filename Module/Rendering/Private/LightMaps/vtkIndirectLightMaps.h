@@ -12,6 +12,7 @@
 #include "LightMaps/vtkIndirectShadowRows.h" // for members
 #include "OpenGL/vtkIndirectDataTexture.h"   // for members
 #include "OpenGL/vtkIndirectLayeredTarget.h" // for members
+#include "OpenGL/vtkIndirectResource.h"      // for the base class
 #include "vtkIndent.h"                       // for Print
 #include "vtkSmartPointer.h"                 // for members
 #include "vtkTimeStamp.h"                    // for a member
@@ -21,9 +22,7 @@
 
 class vtkIndirectContextGuard;
 class vtkOpenGLRenderWindow;
-class vtkProp;
 class vtkReflectiveShadowMapPass;
-class vtkShaderProgram;
 class vtkSurfaceCapturePass;
 struct vtkIndirectCaster;
 struct vtkIndirectFrame;
@@ -31,14 +30,12 @@ struct vtkIndirectPlan;
 struct vtkIndirectReport;
 struct vtkIndirectShadowMaps;
 
-class vtkIndirectLightMaps
+class vtkIndirectLightMaps : public vtkIndirectResource
 {
 public:
   /** caller: the object that reports the error of too many lights; null: the frame's window. */
-  explicit vtkIndirectLightMaps(vtkObject* caller = nullptr);
-  ~vtkIndirectLightMaps();
-  vtkIndirectLightMaps(const vtkIndirectLightMaps&) = delete;
-  void operator=(const vtkIndirectLightMaps&) = delete;
+  explicit vtkIndirectLightMaps(vtkIndirectResource* owner, vtkObject* caller = nullptr);
+  ~vtkIndirectLightMaps() override;
 
   /** Returns the maps that a public pass holds. */
   static vtkIndirectLightMaps& Get(const vtkReflectiveShadowMapPass* pass);
@@ -72,18 +69,21 @@ public:
   /** Grows whenever the content of a map, or the table below, changes. */
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
 
-  /** Binds the maps and their table for vtkIndirectMapTexel.glsl; pair with Deactivate. */
-  void Activate(vtkShaderProgram* program) const;
-  /** Binds the depth array for shadow look-ups; pair with Deactivate. */
+  /** Binds the maps and their table for vtkIndirectMapTexel.glsl. */
+  void Activate(const vtkIndirectProgram& program) const;
+  ///@{
+  /** Bind the depths for shadow look-ups; pair. */
   vtkIndirectShadowMaps ActivateShadows(vtkOpenGLRenderWindow* window);
-  void Deactivate() const;
+  void DeactivateShadows() const { this->Rows.Deactivate(); }
+  ///@}
 
-  size_t GetBytes() const;
   /** Adds the maps and their memory to the report. */
   void AddToReport(vtkIndirectReport& report) const;
   void Print(ostream& os, vtkIndent indent) const;
-  /** Releases all resources in the window's context; does nothing without a window. */
-  void Release(vtkWindow* window);
+
+protected:
+  bool CanRelease(vtkWindow* window) override;
+  void ReleaseOwn(vtkWindow*) override { this->Faces.clear(); }
 
 private:
   void UpdateTable(const vtkIndirectFrame& frame);
@@ -100,14 +100,14 @@ private:
   vtkTimeStamp ContentTime;
   // Binding textures changes the objects that hold them.
   mutable vtkIndirectLayeredTarget Target;
-  mutable vtkIndirectShadowRows Rows; // rows of the target's depths, for shadow look-ups
+  mutable vtkIndirectShadowRows Rows{ this }; // rows of the target's depths, for shadow look-ups
   std::vector<std::unique_ptr<vtkIndirectLightMap>> Maps;
   int NumberOfMaps = 0;
   int NumberOfLayers = 0;
   std::vector<vtkIndirectKey> Faces; // the inputs of each layer's image; empty: not drawn
   std::vector<float> Table;
-  vtkIndirectDataTexture TableTexture;
-  vtkIndirectDataTexture FresnelTexture; // empty unless senders have lobes
+  vtkIndirectDataTexture TableTexture{ this };
+  vtkIndirectDataTexture FresnelTexture{ this }; // empty unless senders have lobes
   vtkSmartPointer<vtkIndirectContextGuard> Guard;
 };
 

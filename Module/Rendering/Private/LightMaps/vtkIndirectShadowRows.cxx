@@ -9,8 +9,9 @@
 
 #include <algorithm>
 
-vtkIndirectShadowRows::vtkIndirectShadowRows()
-  : Kernel("vtkIndirectShadowRowsFS.glsl")
+vtkIndirectShadowRows::vtkIndirectShadowRows(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Kernel(this, "vtkIndirectShadowRowsFS.glsl")
 {
 }
 
@@ -47,9 +48,8 @@ bool vtkIndirectShadowRows::Update(
     return true;
   }
   vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
   vtkIndirectFullScreenState kernelState(window);
-  vtkShaderProgram* program = this->Kernel.Use(window);
+  vtkIndirectProgram program = this->Kernel.Use(window);
   if (!program)
   {
     return false;
@@ -103,13 +103,13 @@ void vtkIndirectShadowRows::Deactivate()
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectShadowRows::GetBytes() const
+size_t vtkIndirectShadowRows::GetOwnBytes() const
 {
   return 16 * this->Valid.size() * this->Texels * this->Texels;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectShadowRows::Release(vtkWindow* window)
+void vtkIndirectShadowRows::ReleaseOwn(vtkWindow* window)
 {
   if (this->Texture)
   {
@@ -118,7 +118,6 @@ void vtkIndirectShadowRows::Release(vtkWindow* window)
     this->Framebuffer = nullptr;
     this->Texture = nullptr;
   }
-  this->Kernel.Release();
   this->Valid.clear();
   this->Texels = 0;
   this->Window = nullptr;

@@ -6,6 +6,7 @@
 #define vtkIndirectShadowRows_h
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "vtkSmartPointer.h"                     // for members
 
 #include <cstddef> // for size_t
@@ -14,13 +15,12 @@
 class vtkIndirectArrayTexture;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
-class vtkWindow;
 
-class vtkIndirectShadowRows
+class vtkIndirectShadowRows : public vtkIndirectResource
 {
 public:
-  vtkIndirectShadowRows();
-  ~vtkIndirectShadowRows();
+  explicit vtkIndirectShadowRows(vtkIndirectResource* owner);
+  ~vtkIndirectShadowRows() override;
 
   /** Marks a layer of the depths as drawn again. */
   void Forget(int layer);
@@ -35,8 +35,9 @@ public:
   int Activate();
   void Deactivate();
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  size_t GetOwnBytes() const override;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   int Texels = 0;

@@ -19,8 +19,9 @@ size_t CountWords(int lights)
 }
 }
 
-vtkIndirectGlossyLists::vtkIndirectGlossyLists()
-  : Buffer(MaximumLists)
+vtkIndirectGlossyLists::vtkIndirectGlossyLists(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Buffer(this, MaximumLists)
 {
 }
 
@@ -31,9 +32,10 @@ size_t vtkIndirectGlossyLists::GetStride() const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectGlossyLists::GetBytes(size_t entries, int lights)
+size_t vtkIndirectGlossyLists::CountBytes(size_t entries, int lights)
 {
-  return vtkIndirectCommandBuffer::GetBytes(MaximumLists, entries * (Header + CountWords(lights)));
+  return vtkIndirectCommandBuffer::CountBytes(
+    MaximumLists, entries * (Header + CountWords(lights)));
 }
 
 //------------------------------------------------------------------------------
@@ -52,7 +54,7 @@ void vtkIndirectGlossyLists::Begin(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectGlossyLists::Activate(vtkShaderProgram* program) const
+void vtkIndirectGlossyLists::Activate(const vtkIndirectProgram& program) const
 {
   this->Buffer.Activate(program, "vtkiGlossyLists");
   program->SetUniformi("vtkiGlossyWords", this->Words);

@@ -6,30 +6,29 @@
 #define vtkIndirectGlossyLists_h
 
 #include "OpenGL/vtkIndirectCommandBuffer.h" // for a member
+#include "OpenGL/vtkIndirectResource.h"      // for the base class
 
 #include <cstddef> // for size_t
 #include <vector>  // for the lists
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
-class vtkIndirectGlossyLists
+class vtkIndirectGlossyLists : public vtkIndirectResource
 {
 public:
-  vtkIndirectGlossyLists();
+  explicit vtkIndirectGlossyLists(vtkIndirectResource* owner);
 
   /** Bytes of the lists for this many texels and lights. */
-  static size_t GetBytes(size_t entries, int lights);
+  static size_t CountBytes(size_t entries, int lights);
 
   /** Empties the lists; list i has space for capacities[i] texels. */
   void Begin(
     vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities, int numberOfLights);
 
   /** Binds the buffer to a program. */
-  void Activate(vtkShaderProgram* program) const;
+  void Activate(const vtkIndirectProgram& program) const;
   /** Begin of a list in the buffer, in words. */
   int GetFirst(size_t list) const { return static_cast<int>(this->First[list]); }
-  void Deactivate() const { this->Buffer.Deactivate(); }
 
   /** The lists, for programs that run for their entries. */
   const vtkIndirectCommandBuffer& GetBuffer() const { return this->Buffer; }
@@ -41,10 +40,6 @@ public:
     size_t Pairs = 0;
   };
   Size Count(size_t list) const;
-
-  size_t GetBytes() const { return this->Buffer.GetBytes(); }
-  /** The buffer's context must be current. */
-  void Release() { this->Buffer.Release(); }
 
 private:
   size_t GetStride() const;

@@ -13,31 +13,24 @@
 
 namespace
 {
-const vtkIndirectChannel LobeChannels[] = {
+const vtkIndirectChannels LobeChannels = {
   { "glossy.lobe", "vtkiLevelLobe", "power of the specular lobe, state", GL_RG16F, "-", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel HalfChannels[] = {
+const vtkIndirectChannels HalfChannels = {
   { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel FloatChannels[] = {
+const vtkIndirectChannels FloatChannels = {
   { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // OpenGL 4.3 guarantees 2^24 bytes for a storage block; drivers give 2^27 and more.
 size_t GetMaximumBytes()
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   GLint64 bytes = 0;
   glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
   return static_cast<size_t>(std::min<GLint64>(std::max<GLint64>(bytes, 0), GLint64(1) << 28));
-#else
-  return 0;
-#endif
 }
 
 // Texels of each list: split ones, and whole ones.
@@ -83,7 +76,7 @@ bool vtkIndirectGlossySubsplats::Fits(const vtkIndirectSubsplatPyramid& pyramid,
   {
     entries += capacity;
   }
-  return vtkIndirectGlossyLists::GetBytes(entries, numberOfLights) <= GetMaximumBytes();
+  return vtkIndirectGlossyLists::CountBytes(entries, numberOfLights) <= GetMaximumBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -91,17 +84,14 @@ bool vtkIndirectGlossySubsplats::Resize(
   vtkOpenGLRenderWindow* window, const vtkIndirectSubsplatPyramid& pyramid, bool halfFloats)
 {
   const size_t count = halfFloats == this->HalfFloats ? pyramid.GetNumberOfLevels() : 0;
-  for (; this->Levels.size() > count; this->Levels.pop_back(), this->Lobes.pop_back())
-  {
-    this->Levels.back()->Release(window);
-    this->Lobes.back()->Release(window);
-  }
+  this->Levels.resize(std::min(count, this->Levels.size()));
+  this->Lobes.resize(this->Levels.size());
   this->HalfFloats = halfFloats;
   while (this->Levels.size() < pyramid.GetNumberOfLevels())
   {
     this->Levels.push_back(
-      std::make_unique<vtkIndirectTarget>(halfFloats ? HalfChannels : FloatChannels, false));
-    this->Lobes.push_back(std::make_unique<vtkIndirectTarget>(LobeChannels, false));
+      std::make_unique<vtkIndirectTarget>(this, halfFloats ? HalfChannels : FloatChannels, false));
+    this->Lobes.push_back(std::make_unique<vtkIndirectTarget>(this, LobeChannels, false));
   }
   for (size_t i = 0; i < this->Levels.size(); ++i)
   {
@@ -126,7 +116,7 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
     const bool pixels = number == 1;
     vtkIndirectFullScreenProgram& kernel = pixels ? this->LobeOfPixels : this->Lobe;
     vtkIndirectTarget& target = *this->Lobes[number - 1];
-    vtkShaderProgram* program = kernel.Use(frame.Window);
+    vtkIndirectProgram program = kernel.Use(frame.Window);
     if (!program)
     {
       return false;
@@ -146,8 +136,6 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
       finer.Activate(0, program, "vtkiFinerLobe");
     }
     kernel.Draw();
-    work.Pyramid.GetSurface(number).Deactivate();
-    finer.Deactivate();
     target.End();
   }
   return true;
@@ -156,7 +144,7 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
 //------------------------------------------------------------------------------
 bool vtkIndirectGlossySubsplats::ListFirst(const Work& work)
 {
-  vtkShaderProgram* program = this->First.Use(work.In.Frame.Window);
+  vtkIndirectProgram program = this->First.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -171,14 +159,12 @@ bool vtkIndirectGlossySubsplats::ListFirst(const Work& work)
   program->SetUniformi("vtkiSplitList", static_cast<int>(SplitList(last)));
   program->SetUniformi("vtkiSplitFirst", this->Lists.GetFirst(SplitList(last)));
   this->First.Run(lobe.GetWidth(), lobe.GetHeight(), 8);
-  this->Lists.Deactivate();
-  lobe.Deactivate();
   return true;
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectGlossySubsplats::SetLevelUniforms(
-  vtkShaderProgram* program, const Work& work, size_t number) const
+  const vtkIndirectProgram& program, const Work& work, size_t number) const
 {
   const Settings& settings = work.Set;
   const vtkIndirectTarget& coarser = *this->Levels[number];
@@ -205,7 +191,7 @@ void vtkIndirectGlossySubsplats::SetLevelUniforms(
 
 //------------------------------------------------------------------------------
 void vtkIndirectGlossySubsplats::ActivateLevel(
-  vtkShaderProgram* program, const Work& work, size_t number) const
+  const vtkIndirectProgram& program, const Work& work, size_t number) const
 {
   const vtkIndirectTarget& geometry = work.In.Geometry.GetTarget();
   work.Pyramid.GetSurface(number + 1).Activate(0, program, "vtkiCoarserSurface");
@@ -223,28 +209,12 @@ void vtkIndirectGlossySubsplats::ActivateLevel(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectGlossySubsplats::DeactivateLevel(const Work& work, size_t number) const
-{
-  work.Pyramid.GetSurface(number + 1).Deactivate();
-  this->Lobes[number]->Deactivate();
-  if (number == 0)
-  {
-    work.In.Geometry.GetTarget().Deactivate();
-  }
-  else
-  {
-    work.Pyramid.GetSurface(number).Deactivate();
-    this->Lobes[number - 1]->Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectGlossySubsplats::Interpolate(
   const Work& work, size_t number, vtkIndirectTarget& target)
 {
   this->UpsamplePixels.SetDefinitions("#define VTKI_PIXELS\n");
   vtkIndirectFullScreenProgram& kernel = number == 0 ? this->UpsamplePixels : this->Upsample;
-  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window);
+  vtkIndirectProgram program = kernel.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -254,8 +224,6 @@ bool vtkIndirectGlossySubsplats::Interpolate(
   this->ActivateLevel(program, work, number);
   this->Levels[number]->Activate(0, program);
   kernel.Draw();
-  this->Levels[number]->Deactivate();
-  this->DeactivateLevel(work, number);
   target.End();
   return true;
 }
@@ -276,7 +244,7 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   definitions += count > work.Lights.GetCapacity(window) ? "#define VTKI_MORE_LIGHTS\n" : "";
   vtkIndirectComputeProgram& kernel = this->Sums[2 * pixels + whole];
   kernel.SetDefinitions(definitions);
-  vtkShaderProgram* program = kernel.Use(window);
+  vtkIndirectProgram program = kernel.Use(window);
   if (!program)
   {
     return false;
@@ -308,11 +276,6 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   kernel.AddImages(target);
   program->SetUniformi("vtkiGlossyImage", 0);
   kernel.Run(this->Lists.GetBuffer(), list);
-  this->Lists.Deactivate();
-  work.Irradiance.Deactivate();
-  this->DeactivateLevel(work, number);
-  work.In.Visibility.Deactivate();
-  work.Lights.Deactivate();
   return true;
 }
 
@@ -353,35 +316,8 @@ double vtkIndirectGlossySubsplats::CountEvaluations() const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectGlossySubsplats::GetBytes() const
+void vtkIndirectGlossySubsplats::ReleaseOwn(vtkWindow*)
 {
-  size_t bytes = this->Lists.GetBytes();
-  for (size_t i = 0; i < this->Levels.size(); ++i)
-  {
-    bytes += this->Levels[i]->GetBytes() + this->Lobes[i]->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectGlossySubsplats::Release(vtkWindow* window)
-{
-  for (size_t i = 0; i < this->Levels.size(); ++i)
-  {
-    this->Levels[i]->Release(window);
-    this->Lobes[i]->Release(window);
-  }
   this->Levels.clear();
   this->Lobes.clear();
-  this->Lists.Release();
-  for (vtkIndirectFullScreenProgram* kernel :
-    { &this->LobeOfPixels, &this->Lobe, &this->UpsamplePixels, &this->Upsample })
-  {
-    kernel->Release();
-  }
-  this->First.Release(window);
-  for (vtkIndirectComputeProgram& kernel : this->Sums)
-  {
-    kernel.Release(window);
-  }
 }

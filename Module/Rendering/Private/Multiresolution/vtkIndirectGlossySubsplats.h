@@ -15,13 +15,15 @@
 #include "Multiresolution/vtkIndirectSubsplatPyramid.h" // for the pyramid
 #include "OpenGL/vtkIndirectComputeProgram.h"           // for members
 #include "OpenGL/vtkIndirectFullScreenProgram.h"        // for members
+#include "OpenGL/vtkIndirectResource.h"                 // for the base class
 
 #include <memory> // for levels
 #include <vector> // for levels
 
-class vtkIndirectGlossySubsplats
+class vtkIndirectGlossySubsplats : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
   using Input = vtkIndirectEstimateInput;
   using Settings = vtkIndirectSubsplatSettings;
 
@@ -43,8 +45,8 @@ public:
   /** Lights evaluated at texels and pixels in the last frame. Waits for the GPU. */
   double CountEvaluations() const;
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   struct Work; // data that the steps below share
@@ -52,24 +54,24 @@ private:
   bool ListFirst(const Work& work);
   bool Interpolate(const Work& work, size_t number, vtkIndirectTarget& target);
   bool Evaluate(const Work& work, size_t number, vtkIndirectTarget& target, bool whole);
-  void SetLevelUniforms(vtkShaderProgram* program, const Work& work, size_t number) const;
-  void ActivateLevel(vtkShaderProgram* program, const Work& work, size_t number) const;
-  void DeactivateLevel(const Work& work, size_t number) const;
+  void SetLevelUniforms(const vtkIndirectProgram& program, const Work& work, size_t number) const;
+  void ActivateLevel(const vtkIndirectProgram& program, const Work& work, size_t number) const;
 
   std::vector<std::unique_ptr<vtkIndirectTarget>> Lobes;  // [i] is level i + 1
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // the same
   bool HalfFloats = true;
-  vtkIndirectGlossyLists Lists; // level n: list 2 n - 2 of split texels, 2 n - 1 of whole ones
-  vtkIndirectFullScreenProgram LobeOfPixels{ "vtkIndirectGlossyLobeFS.glsl" };
-  vtkIndirectFullScreenProgram Lobe{ "vtkIndirectGlossyLobeFS.glsl" };
-  vtkIndirectFullScreenProgram UpsamplePixels{ "vtkIndirectGlossyUpsampleFS.glsl" };
-  vtkIndirectFullScreenProgram Upsample{ "vtkIndirectGlossyUpsampleFS.glsl" };
-  vtkIndirectComputeProgram First{ "vtkIndirectGlossyFirstCS.glsl" };
+  vtkIndirectGlossyLists Lists{
+    this
+  }; // level n: list 2 n - 2 of split texels, 2 n - 1 of whole ones
+  vtkIndirectFullScreenProgram LobeOfPixels{ this, "vtkIndirectGlossyLobeFS.glsl" };
+  vtkIndirectFullScreenProgram Lobe{ this, "vtkIndirectGlossyLobeFS.glsl" };
+  vtkIndirectFullScreenProgram UpsamplePixels{ this, "vtkIndirectGlossyUpsampleFS.glsl" };
+  vtkIndirectFullScreenProgram Upsample{ this, "vtkIndirectGlossyUpsampleFS.glsl" };
+  vtkIndirectComputeProgram First{ this, "vtkIndirectGlossyFirstCS.glsl" };
   // For texels and for pixels, each under split and under whole texels.
-  vtkIndirectComputeProgram Sums[4] = { vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl"),
-    vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl"),
-    vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl"),
-    vtkIndirectComputeProgram("vtkIndirectGlossyCS.glsl") };
+  vtkIndirectComputeProgram Sums[4] = { { this, "vtkIndirectGlossyCS.glsl" },
+    { this, "vtkIndirectGlossyCS.glsl" }, { this, "vtkIndirectGlossyCS.glsl" },
+    { this, "vtkIndirectGlossyCS.glsl" } };
 };
 
 #endif

@@ -15,19 +15,17 @@
 
 namespace
 {
-const vtkIndirectChannel HalfChannels[] = {
+const vtkIndirectChannels HalfChannels = {
   { "subsplat.irradiance", "vtkiCoarserIrradiance", "irradiance, whether there is any", GL_RGBA16F,
     "-", "VTK irradiance over the frame's unit" },
   { "subsplat.vector", "vtkiCoarserVector", "luminance of the vector irradiance", GL_RGBA16F,
     "view", "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel FloatChannels[] = {
+const vtkIndirectChannels FloatChannels = {
   { "subsplat.irradiance", "vtkiCoarserIrradiance", "irradiance, whether there is any", GL_RGBA32F,
     "-", "VTK irradiance" },
   { "subsplat.vector", "vtkiCoarserVector", "luminance of the vector irradiance", GL_RGBA32F,
     "view", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Split texels for one invocation, which fetches a light once for all texels below them, and
@@ -46,15 +44,12 @@ bool vtkIndirectSubsplatIllumination::Resize(vtkOpenGLRenderWindow* window,
   const vtkIndirectSubsplatPyramid& pyramid, const vtkIndirectTarget& pixels, bool halfFloats)
 {
   const size_t count = halfFloats == this->HalfFloats ? pyramid.GetNumberOfLevels() : 0;
-  for (; this->Levels.size() > count; this->Levels.pop_back())
-  {
-    this->Levels.back()->Release(window);
-  }
+  this->Levels.resize(std::min(count, this->Levels.size()));
   this->HalfFloats = halfFloats;
   while (this->Levels.size() < pyramid.GetNumberOfLevels())
   {
     this->Levels.push_back(
-      std::make_unique<vtkIndirectTarget>(halfFloats ? HalfChannels : FloatChannels, false));
+      std::make_unique<vtkIndirectTarget>(this, halfFloats ? HalfChannels : FloatChannels, false));
   }
   for (size_t i = 0; i < this->Levels.size(); ++i)
   {
@@ -105,7 +100,8 @@ void vtkIndirectSubsplatIllumination::Define(const Work& work)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSubsplatIllumination::SetUniforms(vtkShaderProgram* program, const Work& work) const
+void vtkIndirectSubsplatIllumination::SetUniforms(
+  const vtkIndirectProgram& program, const Work& work) const
 {
   const Settings& settings = work.Set;
   const int size[2] = { work.Target.GetWidth(), work.Target.GetHeight() };
@@ -126,22 +122,20 @@ void vtkIndirectSubsplatIllumination::SetUniforms(vtkShaderProgram* program, con
 }
 
 //------------------------------------------------------------------------------
-const vtkIndirectTarget& vtkIndirectSubsplatIllumination::ActivateSurface(
-  vtkShaderProgram* program, const Work& work) const
+void vtkIndirectSubsplatIllumination::ActivateSurface(
+  const vtkIndirectProgram& program, const Work& work) const
 {
   const vtkIndirectTarget& pixels = work.In.Geometry.GetTarget();
   if (work.Number == 0)
   {
     pixels.Activate(vtkIndirectGeometryBuffer::Surface, program);
-    return pixels;
+    return;
   }
   if (program->IsUniformUsed("vtkiSurface"))
   {
     pixels.Activate(vtkIndirectGeometryBuffer::Surface, program); // facets
   }
-  const vtkIndirectTarget& surface = work.Pyramid.GetSurface(work.Number);
-  surface.Activate(0, program);
-  return surface;
+  work.Pyramid.GetSurface(work.Number).Activate(0, program);
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +157,7 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
   work.Target.ClearDepth();
   for (vtkIndirectFullScreenProgram* kernel : { &smooth, &others })
   {
-    vtkShaderProgram* program = kernel->Use(window);
+    vtkIndirectProgram program = kernel->Use(window);
     if (!program)
     {
       done = false;
@@ -173,7 +167,7 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
     state->vtkglDepthFunc(first ? GL_ALWAYS : GL_LESS);
     state->vtkglDepthMask(first ? GL_TRUE : GL_FALSE);
     this->SetUniforms(program, work);
-    const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
+    this->ActivateSurface(program, work);
     coarserSurface.Activate(0, program, "vtkiCoarserSurface");
     coarser.Activate(0, program);
     coarser.Activate(1, program);
@@ -185,12 +179,6 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
       work.In.Visibility.Activate(work.In.Frame.Window, program);
     }
     kernel->Draw();
-    coarserSurface.Deactivate();
-    coarser.Deactivate();
-    surface.Deactivate();
-    work.In.Geometry.GetTarget().Deactivate();
-    work.Lights.Deactivate();
-    work.In.Visibility.Deactivate();
   }
   state->vtkglDisable(GL_DEPTH_TEST);
   work.Target.End();
@@ -202,7 +190,7 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
 {
   vtkIndirectComputeProgram& kernel =
     (work.Number == 0 ? this->PixelBlocks : this->TexelBlocks)[SharesLooks(work)];
-  vtkShaderProgram* program = kernel.Use(work.In.Frame.Window);
+  vtkIndirectProgram program = kernel.Use(work.In.Frame.Window);
   if (!program)
   {
     return false;
@@ -210,7 +198,7 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
   this->SetUniforms(program, work);
   work.Lights.Activate(program);
   work.In.Visibility.Activate(work.In.Frame.Window, program);
-  const vtkIndirectTarget& surface = this->ActivateSurface(program, work);
+  this->ActivateSurface(program, work);
   kernel.AddImages(work.Target);
   program->SetUniformi("vtkiIrradianceImage", 0);
   if (work.Number > 0)
@@ -220,11 +208,6 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
   const vtkIndirectSubsplatList& lists = work.Pyramid.GetLists();
   lists.Activate(program, work.Number);
   kernel.Run(lists.GetBuffer(), work.Number);
-  lists.Deactivate();
-  surface.Deactivate();
-  work.In.Geometry.GetTarget().Deactivate();
-  work.Lights.Deactivate();
-  work.In.Visibility.Deactivate();
   return true;
 }
 
@@ -261,35 +244,4 @@ bool vtkIndirectSubsplatIllumination::FillPixels(const Input& input, const Setti
   vtkIndirectSubsplatPyramid& pyramid, vtkIndirectLightBlock& lights, vtkIndirectTarget& pixels)
 {
   return this->Fill({ input, settings, pyramid, lights, pixels, 0 });
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSubsplatIllumination::GetBytes() const
-{
-  size_t bytes = 0;
-  for (const auto& level : this->Levels)
-  {
-    bytes += level->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSubsplatIllumination::Release(vtkWindow* window)
-{
-  for (auto& level : this->Levels)
-  {
-    level->Release(window);
-  }
-  this->Levels.clear();
-  for (vtkIndirectFullScreenProgram* kernel :
-    { &this->SmoothTexels, &this->OtherTexels, &this->SmoothPixels, &this->OtherPixels })
-  {
-    kernel->Release();
-  }
-  for (int i = 0; i < 2; ++i)
-  {
-    this->TexelBlocks[i].Release(window);
-    this->PixelBlocks[i].Release(window);
-  }
 }

@@ -8,10 +8,12 @@
 
 #include "Multiresolution/vtkIndirectSubsplatPyramid.h" // for the pyramid
 #include "OpenGL/vtkIndirectComputeProgram.h"           // for members
+#include "OpenGL/vtkIndirectResource.h"                 // for the base class
 
-class vtkIndirectSubsplatIllumination
+class vtkIndirectSubsplatIllumination : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
   using Input = vtkIndirectEstimateInput;
   using Settings = vtkIndirectSubsplatSettings;
 
@@ -29,8 +31,8 @@ public:
   /** Irradiance, vector irradiance and their states at level `number`, from 1 on. */
   const vtkIndirectTarget& GetLevel(size_t number) const { return *this->Levels[number - 1]; }
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow*) override { this->Levels.clear(); }
 
 private:
   // Data that the steps below share.
@@ -50,22 +52,20 @@ private:
   bool Fill(const Work& work);
   bool Interpolate(const Work& work);
   bool EvaluateBlocks(const Work& work);
-  void SetUniforms(vtkShaderProgram* program, const Work& work) const;
-  const vtkIndirectTarget& ActivateSurface(vtkShaderProgram* program, const Work& work) const;
+  void SetUniforms(const vtkIndirectProgram& program, const Work& work) const;
+  void ActivateSurface(const vtkIndirectProgram& program, const Work& work) const;
 
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // [i] is level i + 1
   bool HalfFloats = true;
-  vtkIndirectFullScreenProgram SmoothTexels{ "vtkIndirectSubsplatSmoothFS.glsl" };
-  vtkIndirectFullScreenProgram OtherTexels{ "vtkIndirectSubsplatLevelFS.glsl" };
-  vtkIndirectFullScreenProgram SmoothPixels{ "vtkIndirectSubsplatSmoothFS.glsl" };
-  vtkIndirectFullScreenProgram OtherPixels{ "vtkIndirectSubsplatPixelFS.glsl" };
+  vtkIndirectFullScreenProgram SmoothTexels{ this, "vtkIndirectSubsplatSmoothFS.glsl" };
+  vtkIndirectFullScreenProgram OtherTexels{ this, "vtkIndirectSubsplatLevelFS.glsl" };
+  vtkIndirectFullScreenProgram SmoothPixels{ this, "vtkIndirectSubsplatSmoothFS.glsl" };
+  vtkIndirectFullScreenProgram OtherPixels{ this, "vtkIndirectSubsplatPixelFS.glsl" };
   // For still frames, and for frames with shared look-ups.
-  vtkIndirectComputeProgram TexelBlocks[2] = { vtkIndirectComputeProgram(
-                                                 "vtkIndirectSubsplatBlockCS.glsl"),
-    vtkIndirectComputeProgram("vtkIndirectSubsplatBlockCS.glsl") };
-  vtkIndirectComputeProgram PixelBlocks[2] = { vtkIndirectComputeProgram(
-                                                 "vtkIndirectSubsplatBlockCS.glsl"),
-    vtkIndirectComputeProgram("vtkIndirectSubsplatBlockCS.glsl") };
+  vtkIndirectComputeProgram TexelBlocks[2] = { { this, "vtkIndirectSubsplatBlockCS.glsl" },
+    { this, "vtkIndirectSubsplatBlockCS.glsl" } };
+  vtkIndirectComputeProgram PixelBlocks[2] = { { this, "vtkIndirectSubsplatBlockCS.glsl" },
+    { this, "vtkIndirectSubsplatBlockCS.glsl" } };
 };
 
 #endif

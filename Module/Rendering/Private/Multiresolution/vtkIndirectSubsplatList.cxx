@@ -10,8 +10,9 @@ namespace
 constexpr size_t MaximumLists = 16; // VTKI_LISTS
 }
 
-vtkIndirectSubsplatList::vtkIndirectSubsplatList()
-  : Buffer(MaximumLists)
+vtkIndirectSubsplatList::vtkIndirectSubsplatList(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Buffer(this, MaximumLists)
 {
 }
 
@@ -32,15 +33,12 @@ void vtkIndirectSubsplatList::Begin(
 //------------------------------------------------------------------------------
 void vtkIndirectSubsplatList::End()
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
-  this->Deactivate();
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
     GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-#endif
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSubsplatList::Activate(vtkShaderProgram* program, size_t list) const
+void vtkIndirectSubsplatList::Activate(const vtkIndirectProgram& program, size_t list) const
 {
   this->Buffer.Activate(program, "vtkiSubsplatLists");
   program->SetUniformi("vtkiList", static_cast<int>(list));

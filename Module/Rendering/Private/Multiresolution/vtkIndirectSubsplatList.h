@@ -5,17 +5,17 @@
 #define vtkIndirectSubsplatList_h
 
 #include "OpenGL/vtkIndirectCommandBuffer.h" // for a member
+#include "OpenGL/vtkIndirectResource.h"      // for the base class
 
 #include <cstddef> // for size_t
 #include <vector>  // for the levels
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
-class vtkIndirectSubsplatList
+class vtkIndirectSubsplatList : public vtkIndirectResource
 {
 public:
-  vtkIndirectSubsplatList();
+  explicit vtkIndirectSubsplatList(vtkIndirectResource* owner);
 
   /** Empties the lists; list i has space for capacities[i] entries. */
   void Begin(vtkOpenGLRenderWindow* window, const std::vector<size_t>& capacities);
@@ -24,18 +24,13 @@ public:
   void End();
 
   /** Binds the buffer to a program that appends to, or reads, one of the lists. */
-  void Activate(vtkShaderProgram* program, size_t list) const;
-  void Deactivate() const { this->Buffer.Deactivate(); }
+  void Activate(const vtkIndirectProgram& program, size_t list) const;
 
   /** The lists, for programs that run for their entries. */
   const vtkIndirectCommandBuffer& GetBuffer() const { return this->Buffer; }
 
   /** Entries in a list. Waits for the GPU. */
   int Count(size_t list) const { return static_cast<int>(this->Buffer.Count(list)); }
-
-  size_t GetBytes() const { return this->Buffer.GetBytes(); }
-  /** The buffer's context must be current. */
-  void Release() { this->Buffer.Release(); }
 
 private:
   vtkIndirectCommandBuffer Buffer;

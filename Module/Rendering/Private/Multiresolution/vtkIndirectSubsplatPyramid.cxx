@@ -5,7 +5,6 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
-#include "OpenGL/vtkIndirectKernels.h"
 #include "VirtualLights/vtkIndirectLightBlock.h"
 #include "Visibility/vtkIndirectVisibility.h"
 
@@ -14,23 +13,21 @@
 
 namespace
 {
-const vtkIndirectChannel PlaneChannels[] = {
+const vtkIndirectChannels PlaneChannels = {
   { "subsplat.surface", "vtkiLevelSurface", "octahedral normal, depth, state", GL_RGBA32F, "view",
     "scene units" },
   { "subsplat.deviation", "vtkiFinerDeviation",
     "distance from the mean plane over the width, spread of the normals", GL_RG16F, "-", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel RangeChannels[] = {
+const vtkIndirectChannels RangeChannels = {
   { "subsplat.surface", "vtkiLevelSurface", "octahedral normal, depth, state", GL_RGBA32F, "view",
     "scene units" },
   { "subsplat.minimum", "vtkiFinerMinimum", "least normal components and depth", GL_RGBA32F, "view",
     "scene units" },
   { "subsplat.maximum", "vtkiFinerMaximum", "greatest normal components and depth", GL_RGBA32F,
     "view", "scene units" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel ProbeChannels[] = {
+const vtkIndirectChannels ProbeChannels = {
   { "subsplat.probe", "vtkiProbe",
     "luminance of the irradiance at a pixel of each texel, and of the difference between halves of "
     "the lights, whether lit",
@@ -39,13 +36,11 @@ const vtkIndirectChannel ProbeChannels[] = {
     GL_RGBA32F, "view", "scene units" },
   { "subsplat.senderDensity", "vtkiProbeDensity",
     "its normal times density and area, over the irradiance", GL_RGBA32F, "view", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel VariationChannels[] = {
+const vtkIndirectChannels VariationChannels = {
   { "subsplat.variation", "vtkiVariation",
     "relative error of interpolation between probes; that light's normal times density and area",
     GL_RGBA32F, "view", "-" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 
@@ -55,10 +50,6 @@ bool vtkIndirectSubsplatPyramid::Resize(
 {
   if (settings.DepthRange != this->DepthRange)
   {
-    for (auto& level : this->Levels)
-    {
-      level->Release(window);
-    }
     this->Levels.clear();
     this->DepthRange = settings.DepthRange;
   }
@@ -72,30 +63,25 @@ bool vtkIndirectSubsplatPyramid::Resize(
     if (count == this->Levels.size())
     {
       this->Levels.push_back(std::make_unique<vtkIndirectTarget>(
-        settings.DepthRange ? RangeChannels : PlaneChannels, false));
+        this, settings.DepthRange ? RangeChannels : PlaneChannels, false));
     }
     if (!this->Levels[count++]->Resize(window, width, height))
     {
       return false;
     }
   } while (2 * std::max(width, height) > settings.CoarsestResolution || count < 2);
-  for (; this->Levels.size() > count; this->Levels.pop_back())
-  {
-    this->Levels.back()->Release(window);
-  }
+  this->Levels.resize(count);
 
   const bool probes = settings.LightingThreshold > 0.0 || settings.ReportsError;
   if (!probes && this->Probe)
   {
-    this->Probe->Release(window);
-    this->Variation->Release(window);
     this->Probe.reset();
     this->Variation.reset();
   }
   if (probes && !this->Probe)
   {
-    this->Probe = std::make_unique<vtkIndirectTarget>(ProbeChannels, false);
-    this->Variation = std::make_unique<vtkIndirectTarget>(VariationChannels, false);
+    this->Probe = std::make_unique<vtkIndirectTarget>(this, ProbeChannels, false);
+    this->Variation = std::make_unique<vtkIndirectTarget>(this, VariationChannels, false);
   }
   return !probes ||
     (this->Probe->Resize(window, width, height) && this->Variation->Resize(window, width, height));
@@ -112,7 +98,7 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
   {
     vtkIndirectFullScreenProgram& kernel = probe ? this->ProbeLights : this->MeasureVariation;
     vtkIndirectTarget& target = probe ? *this->Probe : *this->Variation;
-    vtkShaderProgram* program = kernel.Use(frame.Window);
+    vtkIndirectProgram program = kernel.Use(frame.Window);
     if (!program)
     {
       return false;
@@ -137,10 +123,6 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
       this->Probe->Activate(2, program);
     }
     kernel.Draw();
-    this->Probe->Deactivate();
-    lights.Deactivate();
-    input.Visibility.Deactivate();
-    input.Geometry.GetTarget().Deactivate();
     target.End();
   }
   return true;
@@ -154,7 +136,7 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
   const bool first = number == 1;
   vtkIndirectFullScreenProgram& kernel = first ? this->BuildFinest : this->BuildCoarser;
   vtkIndirectTarget& level = *this->Levels[number - 1];
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  vtkIndirectProgram program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -188,7 +170,6 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
   {
     geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
     kernel.Draw();
-    geometry.Deactivate();
   }
   else
   {
@@ -201,12 +182,6 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
       finer.Activate(channel, program);
     }
     kernel.Draw();
-    finer.Deactivate();
-  }
-  if (settings.LightingThreshold > 0.0)
-  {
-    this->Variation->Deactivate();
-    this->Probe->Deactivate();
   }
   level.End();
   return true;
@@ -268,35 +243,9 @@ double vtkIndirectSubsplatPyramid::EstimateSamplingError() const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSubsplatPyramid::GetBytes() const
+void vtkIndirectSubsplatPyramid::ReleaseOwn(vtkWindow*)
 {
-  size_t bytes = this->Lists.GetBytes();
-  for (const auto& level : this->Levels)
-  {
-    bytes += level->GetBytes();
-  }
-  return bytes + (this->Probe ? this->Probe->GetBytes() + this->Variation->GetBytes() : 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSubsplatPyramid::Release(vtkWindow* window)
-{
-  for (auto& level : this->Levels)
-  {
-    level->Release(window);
-  }
   this->Levels.clear();
-  for (auto* target : { &this->Probe, &this->Variation })
-  {
-    if (*target)
-    {
-      (*target)->Release(window);
-      target->reset();
-    }
-  }
-  this->Lists.Release();
-  this->ProbeLights.Release();
-  this->MeasureVariation.Release();
-  this->BuildFinest.Release();
-  this->BuildCoarser.Release();
+  this->Probe.reset();
+  this->Variation.reset();
 }

@@ -11,6 +11,7 @@
 #include "Multiresolution/vtkIndirectSubsplatDetails.h" // for settings
 #include "Multiresolution/vtkIndirectSubsplatList.h"    // for members
 #include "OpenGL/vtkIndirectFullScreenProgram.h"        // for members
+#include "OpenGL/vtkIndirectResource.h"                 // for the base class
 #include "OpenGL/vtkIndirectTarget.h"                   // for members
 
 #include <memory> // for levels
@@ -31,9 +32,11 @@ struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
   bool ReportsError = false;
 };
 
-class vtkIndirectSubsplatPyramid
+class vtkIndirectSubsplatPyramid : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
+
   /** Creates or resizes the levels for an image. Returns false, after an error, if it cannot. */
   bool Resize(
     vtkOpenGLRenderWindow* window, const int size[2], const vtkIndirectSubsplatSettings& settings);
@@ -57,8 +60,8 @@ public:
   /** Pixels along the edge of a texel of a level. */
   static float EdgeOf(size_t number) { return static_cast<float>(1u << number); }
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   using Input = vtkIndirectEstimateInput;
@@ -68,13 +71,13 @@ private:
 
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // [i] is level i + 1
   bool DepthRange = false;
-  vtkIndirectSubsplatList Lists;
+  vtkIndirectSubsplatList Lists{ this };
   std::unique_ptr<vtkIndirectTarget> Probe;
   std::unique_ptr<vtkIndirectTarget> Variation;
-  vtkIndirectFullScreenProgram ProbeLights{ "vtkIndirectSubsplatProbeFS.glsl" };
-  vtkIndirectFullScreenProgram MeasureVariation{ "vtkIndirectSubsplatVariationFS.glsl" };
-  vtkIndirectFullScreenProgram BuildFinest{ "vtkIndirectSubsplatFirstFS.glsl" };
-  vtkIndirectFullScreenProgram BuildCoarser{ "vtkIndirectSubsplatNextFS.glsl" };
+  vtkIndirectFullScreenProgram ProbeLights{ this, "vtkIndirectSubsplatProbeFS.glsl" };
+  vtkIndirectFullScreenProgram MeasureVariation{ this, "vtkIndirectSubsplatVariationFS.glsl" };
+  vtkIndirectFullScreenProgram BuildFinest{ this, "vtkIndirectSubsplatFirstFS.glsl" };
+  vtkIndirectFullScreenProgram BuildCoarser{ this, "vtkIndirectSubsplatNextFS.glsl" };
 };
 
 #endif

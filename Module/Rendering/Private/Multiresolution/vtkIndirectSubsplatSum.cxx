@@ -12,7 +12,6 @@
 #include "Visibility/vtkIndirectVisibility.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -21,15 +20,13 @@ namespace
 constexpr int LobeStep = 4;
 constexpr double LobeTolerance = 0.05;
 
-const vtkIndirectChannel BatchChannels[] = {
+const vtkIndirectChannels BatchChannels = {
   { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA32F, "-",
     "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel HalfBatchChannels[] = {
+const vtkIndirectChannels HalfBatchChannels = {
   { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 
@@ -81,14 +78,6 @@ vtkIndirectAbilities vtkIndirectSubsplatSum::GetAbilities(double tolerance) cons
     : vtkIndirectVisibilityMaps;
   abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
   return abilities;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSubsplatSum::GetBytes() const
-{
-  return this->vtkIndirectSum::GetBytes() + this->Lights.GetBytes() + this->Pyramid.GetBytes() +
-    this->Illumination.GetBytes() + this->GlossySubsplats.GetBytes() + this->Lobes.GetBytes() +
-    (this->Batch ? this->Batch->GetBytes() : 0);
 }
 
 //------------------------------------------------------------------------------
@@ -157,13 +146,6 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     return {};
   }
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState fullScreenState(window);
 
   this->NumberOfLights = input.Lights->GetNumberOfLights();
@@ -250,7 +232,7 @@ bool vtkIndirectSubsplatSum::FillInBatches(
   {
     this->BatchIsHalf = settings.HalfFloats;
     this->Batch = std::make_unique<vtkIndirectTarget>(
-      settings.HalfFloats ? HalfBatchChannels : BatchChannels, false);
+      this, settings.HalfFloats ? HalfBatchChannels : BatchChannels, false);
   }
   if (!this->Batch->Resize(
         window, input.Frame.Size[0], input.Frame.Size[1], this->Irradiance.get()))
@@ -270,7 +252,7 @@ bool vtkIndirectSubsplatSum::FillInBatches(
     {
       continue;
     }
-    vtkShaderProgram* program = this->AddBatch.Use(window);
+    vtkIndirectProgram program = this->AddBatch.Use(window);
     if (!program)
     {
       return false;
@@ -281,7 +263,6 @@ bool vtkIndirectSubsplatSum::FillInBatches(
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
     this->AddBatch.Draw();
     state->vtkglDisable(GL_BLEND);
-    this->Batch->Deactivate();
     this->Irradiance->End();
   }
   // The lists for specular receivers are found from all lights.
@@ -390,21 +371,4 @@ int vtkIndirectSubsplatSum::DrawChannel(
 {
   return this->View.Draw(name, frame, geometry, this->Pyramid, this->Illumination,
     *this->Irradiance, this->GetIrradianceUnit());
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSubsplatSum::ReleaseOwn(vtkWindow* window)
-{
-  this->Lights.Release();
-  this->Pyramid.Release(window);
-  this->Illumination.Release(window);
-  this->View.Release();
-  this->GlossySubsplats.Release(window);
-  this->GlossyGather.Release();
-  this->Lobes.Release(window);
-  if (this->Batch)
-  {
-    this->Batch->Release(window);
-  }
-  this->AddBatch.Release();
 }

@@ -8,7 +8,6 @@
 #include "Gather/vtkIndirectLobeGather.h"   // for members
 #include "Gather/vtkIndirectSum.h"
 #include "Multiresolution/vtkIndirectGlossySubsplats.h"      // for members
-#include "Multiresolution/vtkIndirectSubsplatDetails.h"      // for members
 #include "Multiresolution/vtkIndirectSubsplatIllumination.h" // for members
 #include "Multiresolution/vtkIndirectSubsplatView.h"         // for members
 #include "VirtualLights/vtkIndirectLightBlock.h"             // for members
@@ -23,7 +22,6 @@ public:
 
   void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   vtkIndirectAbilities GetAbilities(double tolerance) const override;
-  size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
   std::vector<std::string> GetChannelNames() const override;
   int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
@@ -31,7 +29,6 @@ public:
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
-  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   /** The tolerance that the thresholds follow when so much is asked for; 0: none does. */
@@ -45,17 +42,17 @@ private:
   bool FillGlossy(const Input& input, const vtkIndirectSubsplatSettings& settings);
 
   const vtkMultiresolutionSplattingPass& Set;
-  vtkIndirectLightBlock Lights;
-  vtkIndirectSubsplatPyramid Pyramid;
-  vtkIndirectSubsplatIllumination Illumination;
-  vtkIndirectSubsplatView View;
-  vtkIndirectGlossySubsplats GlossySubsplats;
-  vtkIndirectGlossyGather GlossyGather;
-  vtkIndirectLobeGather Lobes;
+  vtkIndirectLightBlock Lights{ this };
+  vtkIndirectSubsplatPyramid Pyramid{ this };
+  vtkIndirectSubsplatIllumination Illumination{ this };
+  vtkIndirectSubsplatView View{ this };
+  vtkIndirectGlossySubsplats GlossySubsplats{ this };
+  vtkIndirectGlossyGather GlossyGather{ this };
+  vtkIndirectLobeGather Lobes{ this };
   // The image of a batch of lights, where there are several.
   std::unique_ptr<vtkIndirectTarget> Batch;
   bool BatchIsHalf = false;
-  vtkIndirectFullScreenProgram AddBatch{ "vtkIndirectSubsplatAddFS.glsl" };
+  vtkIndirectFullScreenProgram AddBatch{ this, "vtkIndirectSubsplatAddFS.glsl" };
 
   // The last frame, for the report.
   double Tolerance = 0.0;

@@ -58,7 +58,7 @@ int vtkIndirectSubsplatView::Draw(const std::string& name, const vtkIndirectFram
     view = index - 2 < levels ? EvaluatedView : UpsampledView;
     coarsest = finest = (index - 2) % levels;
   }
-  vtkShaderProgram* program = this->View.Use(frame.Window);
+  vtkIndirectProgram program = this->View.Use(frame.Window);
   if (!program)
   {
     return 0;
@@ -77,11 +77,6 @@ int vtkIndirectSubsplatView::Draw(const std::string& name, const vtkIndirectFram
     illumination.GetLevel(own).Activate(0, program, "vtkiLevelIrradiance");
     pyramid.GetSurface(number + 1).Activate(0, program, "vtkiCoarserSurface");
     this->View.Draw();
-    geometry.GetTarget().Deactivate();
-    pixels.Deactivate();
-    pyramid.GetSurface(own).Deactivate();
-    illumination.GetLevel(own).Deactivate();
-    pyramid.GetSurface(number + 1).Deactivate();
   }
   return view == LevelView ? 1 : 3;
 }

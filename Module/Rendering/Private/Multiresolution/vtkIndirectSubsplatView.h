@@ -4,6 +4,7 @@
 #define vtkIndirectSubsplatView_h
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 
 #include <string> // for names
 #include <vector> // for names
@@ -14,9 +15,11 @@ class vtkIndirectSubsplatPyramid;
 class vtkIndirectTarget;
 struct vtkIndirectFrame;
 
-class vtkIndirectSubsplatView
+class vtkIndirectSubsplatView : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
+
   /**
    * Names of the views for that many levels: subsplat.level, each pixel's level; subsplat.outline,
    * the subsplats over the irradiance; subsplat.evaluated<n>, the illumination of level n's leaves;
@@ -31,10 +34,8 @@ public:
     const vtkIndirectSubsplatIllumination& illumination, const vtkIndirectTarget& pixels,
     double unit);
 
-  void Release() { this->View.Release(); }
-
 private:
-  vtkIndirectFullScreenProgram View{ "vtkIndirectSubsplatViewFS.glsl" };
+  vtkIndirectFullScreenProgram View{ this, "vtkIndirectSubsplatViewFS.glsl" };
 };
 
 #endif

@@ -57,14 +57,10 @@ bool RunsOnProcessor()
 
 bool HasComputeShaders()
 {
-#ifdef GL_COMPUTE_SHADER
   int version[2] = { 0, 0 };
   glGetIntegerv(GL_MAJOR_VERSION, &version[0]);
   glGetIntegerv(GL_MINOR_VERSION, &version[1]);
   return version[0] > 4 || (version[0] == 4 && version[1] >= 3);
-#else
-  return false;
-#endif
 }
 
 bool CanDo(int choice, int value)

@@ -7,23 +7,26 @@
 #include "vtkIndent.h" // for printing
 
 #include <ostream> // for printing
+#include <vector>  // for tables
 
 struct vtkIndirectChannel
 {
   const char* Name;    // public name
   const char* Uniform; // sampler in shaders
   const char* Meaning;
-  unsigned int InternalFormat; // OpenGL; 0 ends a table
+  unsigned int InternalFormat; // OpenGL
   const char* Space;
   const char* Unit;
 };
 
+using vtkIndirectChannels = std::vector<vtkIndirectChannel>;
+
 inline void vtkIndirectPrintChannels(
-  std::ostream& os, vtkIndent indent, const vtkIndirectChannel* channels)
+  std::ostream& os, vtkIndent indent, const vtkIndirectChannels& channels)
 {
-  for (const vtkIndirectChannel* c = channels; c->InternalFormat; ++c)
+  for (const vtkIndirectChannel& c : channels)
   {
-    os << indent << c->Name << ": " << c->Meaning << " (" << c->Space << ", " << c->Unit << ")\n";
+    os << indent << c.Name << ": " << c.Meaning << " (" << c.Space << ", " << c.Unit << ")\n";
   }
 }
 

@@ -12,9 +12,7 @@
 namespace
 {
 using Command = std::array<unsigned int, 4>;
-#ifdef GL_SHADER_STORAGE_BUFFER
 constexpr unsigned int Binding = 0;
-#endif
 }
 
 vtkIndirectCommandBuffer::~vtkIndirectCommandBuffer()
@@ -22,12 +20,12 @@ vtkIndirectCommandBuffer::~vtkIndirectCommandBuffer()
   if (this->Window)
   {
     this->Window->MakeCurrent();
-    this->Release();
+    this->Release(this->Window);
   }
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectCommandBuffer::GetBytes(size_t lists, size_t words)
+size_t vtkIndirectCommandBuffer::CountBytes(size_t lists, size_t words)
 {
   return lists * sizeof(Command) + words * sizeof(unsigned int);
 }
@@ -35,7 +33,7 @@ size_t vtkIndirectCommandBuffer::GetBytes(size_t lists, size_t words)
 //------------------------------------------------------------------------------
 size_t vtkIndirectCommandBuffer::GetOffset(size_t word) const
 {
-  return GetBytes(this->NumberOfLists, word);
+  return CountBytes(this->NumberOfLists, word);
 }
 
 //------------------------------------------------------------------------------
@@ -47,8 +45,7 @@ vtkOpenGLRenderWindow* vtkIndirectCommandBuffer::GetWindow() const
 //------------------------------------------------------------------------------
 void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words)
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
-  const size_t bytes = GetBytes(this->NumberOfLists, words);
+  const size_t bytes = CountBytes(this->NumberOfLists, words);
   if (this->Handle == 0)
   {
     this->Window = window;
@@ -63,42 +60,23 @@ void vtkIndirectCommandBuffer::Begin(vtkOpenGLRenderWindow* window, size_t words
   const std::vector<Command> commands(this->NumberOfLists, Command{ 0, 1, 1, 0 });
   glBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, commands.size() * sizeof(Command), commands.data());
   glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
-#else
-  (void)window, (void)words;
-#endif
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCommandBuffer::Activate(vtkShaderProgram* program, const char* block) const
+void vtkIndirectCommandBuffer::Activate(const vtkIndirectProgram& program, const char* block) const
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   const auto handle = static_cast<GLuint>(program->GetHandle());
   glShaderStorageBlockBinding(
     handle, glGetProgramResourceIndex(handle, GL_SHADER_STORAGE_BLOCK, block), Binding);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, this->Handle);
-#else
-  (void)program, (void)block;
-#endif
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectCommandBuffer::Deactivate() const
-{
-#ifdef GL_SHADER_STORAGE_BUFFER
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, 0);
-#endif
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectCommandBuffer::Dispatch(size_t list) const
 {
-#ifdef GL_SHADER_STORAGE_BUFFER
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, this->Handle);
   glDispatchComputeIndirect(static_cast<GLintptr>(list * sizeof(Command)));
   glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
-#else
-  (void)list;
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -124,7 +102,7 @@ void vtkIndirectCommandBuffer::Read(size_t first, size_t count, unsigned int* wo
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCommandBuffer::Release()
+void vtkIndirectCommandBuffer::ReleaseOwn(vtkWindow*)
 {
   if (this->Handle)
   {

@@ -5,28 +5,27 @@
 #ifndef vtkIndirectCommandBuffer_h
 #define vtkIndirectCommandBuffer_h
 
-#include "vtkWeakPointer.h" // for the window
-
-#include <cstddef> // for size_t
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkWeakPointer.h"             // for the window
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
-class vtkIndirectCommandBuffer
+class vtkIndirectCommandBuffer : public vtkIndirectResource
 {
 public:
-  explicit vtkIndirectCommandBuffer(size_t lists)
-    : NumberOfLists(lists)
+  vtkIndirectCommandBuffer(vtkIndirectResource* owner, size_t lists)
+    : vtkIndirectResource(owner)
+    , NumberOfLists(lists)
   {
   }
-  ~vtkIndirectCommandBuffer();
+  ~vtkIndirectCommandBuffer() override;
 
   /** Empties the lists; words: space for the entries of all lists. */
   void Begin(vtkOpenGLRenderWindow* window, size_t words);
 
   /** Binds the buffer to a program's storage block of that name. */
-  void Activate(vtkShaderProgram* program, const char* block) const;
-  void Deactivate() const;
+  void Activate(const vtkIndirectProgram& program, const char* block) const;
 
   /** One invocation for each entry of a list, rounded up to groups; the program must be current. */
   void Dispatch(size_t list) const;
@@ -41,11 +40,12 @@ public:
   size_t GetOffset(size_t word) const;
   /** Null without a buffer. */
   vtkOpenGLRenderWindow* GetWindow() const;
-  size_t GetBytes() const { return this->Bytes; }
   /** Bytes of a buffer whose entries have this many words. */
-  static size_t GetBytes(size_t lists, size_t words);
-  /** The buffer's context must be current. */
-  void Release();
+  static size_t CountBytes(size_t lists, size_t words);
+
+protected:
+  size_t GetOwnBytes() const override { return this->Bytes; }
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   size_t NumberOfLists;

@@ -25,7 +25,6 @@ public:
   bool Build(vtkOpenGLRenderWindow* window, const std::string& text)
   {
     this->Window = window;
-#ifdef GL_COMPUTE_SHADER
     const GLuint shader = glCreateShader(GL_COMPUTE_SHADER);
     const char* source = text.c_str();
     glShaderSource(shader, 1, &source, nullptr);
@@ -58,10 +57,6 @@ public:
     this->Handle = static_cast<int>(program);
     this->Linked = true;
     return true;
-#else
-    vtkErrorMacro("This build of VTK has no compute shaders.");
-    return text.empty();
-#endif
   }
 
   void Destroy()
@@ -91,8 +86,9 @@ private:
 };
 
 //------------------------------------------------------------------------------
-vtkIndirectComputeProgram::vtkIndirectComputeProgram(const char* stage)
-  : Stage(stage)
+vtkIndirectComputeProgram::vtkIndirectComputeProgram(vtkIndirectResource* owner, const char* stage)
+  : vtkIndirectResource(owner)
+  , Stage(stage)
 {
 }
 
@@ -111,12 +107,12 @@ void vtkIndirectComputeProgram::SetDefinitions(const std::string& definitions)
   if (definitions != this->Definitions)
   {
     this->Definitions = definitions;
-    this->Release(nullptr);
+    this->ReleaseOwn(nullptr);
   }
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
+vtkIndirectProgram vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Built)
   {
@@ -133,32 +129,26 @@ vtkShaderProgram* vtkIndirectComputeProgram::Use(vtkOpenGLRenderWindow* window)
   // Otherwise the cache would take the program that it bound last for the current one.
   window->GetShaderCache()->ReleaseCurrentShader();
   glUseProgram(static_cast<GLuint>(this->Built->GetHandle()));
-  return this->Built;
+  return vtkIndirectProgram(this->Built);
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectComputeProgram::AddImages(const vtkIndirectTarget& target, int unit)
 {
-#ifdef GL_COMPUTE_SHADER
   for (int i = 0; i < target.GetNumberOfChannels(); ++i)
   {
     this->Units.push_back(static_cast<GLuint>(unit + i));
     glBindImageTexture(this->Units.back(), target.GetTexture(i)->GetHandle(), 0, GL_FALSE, 0,
       GL_READ_WRITE, target.GetInternalFormat(i));
   }
-#else
-  (void)target, (void)unit;
-#endif
 }
 
 //------------------------------------------------------------------------------
 // llvmpipe does not wait for draws into a kernel's inputs by itself.
 void vtkIndirectComputeProgram::Begin()
 {
-#ifdef GL_COMPUTE_SHADER
   glMemoryBarrier(
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -166,7 +156,6 @@ void vtkIndirectComputeProgram::Begin()
 // it; the next user of a list may append, read or dispatch.
 void vtkIndirectComputeProgram::End()
 {
-#ifdef GL_COMPUTE_SHADER
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
     GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -174,7 +163,6 @@ void vtkIndirectComputeProgram::End()
   {
     glBindImageTexture(unit, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   }
-#endif
   this->Units.clear();
 }
 
@@ -182,12 +170,8 @@ void vtkIndirectComputeProgram::End()
 void vtkIndirectComputeProgram::Run(int width, int height, int groupSize)
 {
   Begin();
-#ifdef GL_COMPUTE_SHADER
   glDispatchCompute(static_cast<GLuint>((width + groupSize - 1) / groupSize),
     static_cast<GLuint>((height + groupSize - 1) / groupSize), 1);
-#else
-  (void)width, (void)height, (void)groupSize;
-#endif
   this->End();
 }
 
@@ -200,7 +184,7 @@ void vtkIndirectComputeProgram::Run(const vtkIndirectCommandBuffer& lists, size_
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectComputeProgram::Release(vtkWindow*)
+void vtkIndirectComputeProgram::ReleaseOwn(vtkWindow*)
 {
   if (this->Built)
   {

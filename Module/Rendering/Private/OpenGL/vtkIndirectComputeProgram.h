@@ -4,24 +4,23 @@
 #ifndef vtkIndirectComputeProgram_h
 #define vtkIndirectComputeProgram_h
 
-#include "vtkSmartPointer.h" // for the program
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkSmartPointer.h"            // for the program
 
-#include <cstddef> // for size_t
-#include <string>  // for names
-#include <vector>  // for units
+#include <string> // for names
+#include <vector> // for units
 
 class vtkIndirectCommandBuffer;
 class vtkIndirectTarget;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectComputeProgram
+class vtkIndirectComputeProgram : public vtkIndirectResource
 {
 public:
   /** stage: the name of a file in glsl. */
-  explicit vtkIndirectComputeProgram(const char* stage);
-  ~vtkIndirectComputeProgram();
+  vtkIndirectComputeProgram(vtkIndirectResource* owner, const char* stage);
+  ~vtkIndirectComputeProgram() override;
 
   /** True if the current context has compute shaders and storage buffers, OpenGL 4.3, and
    * vtkIndirectBackEndChoices does not switch them off. */
@@ -31,7 +30,7 @@ public:
   void SetDefinitions(const std::string& definitions);
 
   /** Makes the program current. Returns nullptr, after an error, if it does not compile. */
-  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
+  vtkIndirectProgram Use(vtkOpenGLRenderWindow* window);
 
   /** Binds all channels of a target as images, from that unit on, for the next Run. */
   void AddImages(const vtkIndirectTarget& target, int unit = 0);
@@ -46,7 +45,8 @@ public:
   void Run(const vtkIndirectCommandBuffer& lists, size_t list);
   ///@}
 
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   class Program;

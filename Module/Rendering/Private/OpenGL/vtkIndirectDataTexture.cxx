@@ -21,7 +21,11 @@ constexpr unsigned int FormatsOfIntegers[] = { GL_RED_INTEGER, GL_RG_INTEGER, GL
   GL_RGBA_INTEGER };
 }
 
-vtkIndirectDataTexture::vtkIndirectDataTexture() = default;
+vtkIndirectDataTexture::vtkIndirectDataTexture(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+{
+}
+
 vtkIndirectDataTexture::~vtkIndirectDataTexture() = default;
 
 //------------------------------------------------------------------------------
@@ -62,23 +66,13 @@ bool vtkIndirectDataTexture::Set(vtkOpenGLRenderWindow* window, ContentType cont
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDataTexture::Activate(vtkShaderProgram* program, const char* uniform) const
+void vtkIndirectDataTexture::Activate(const vtkIndirectProgram& program, const char* uniform) const
 {
-  this->Texture->Activate();
-  program->SetUniformi(uniform, this->Texture->GetTextureUnit());
+  program.Bind(this->Texture, uniform);
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDataTexture::Deactivate() const
-{
-  if (this->Texture)
-  {
-    this->Texture->Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectDataTexture::Release(vtkWindow* window)
+void vtkIndirectDataTexture::ReleaseOwn(vtkWindow* window)
 {
   if (this->Texture)
   {

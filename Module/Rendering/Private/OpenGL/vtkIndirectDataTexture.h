@@ -3,21 +3,20 @@
 #ifndef vtkIndirectDataTexture_h
 #define vtkIndirectDataTexture_h
 
-#include "vtkSmartPointer.h" // for the texture
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkSmartPointer.h"            // for the texture
 
-#include <cstddef>     // for size_t
 #include <glm/glm.hpp> // for sizes
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 class vtkTextureObject;
-class vtkWindow;
 
-class vtkIndirectDataTexture
+class vtkIndirectDataTexture : public vtkIndirectResource
 {
 public:
-  vtkIndirectDataTexture();
-  ~vtkIndirectDataTexture();
+  vtkIndirectDataTexture(vtkIndirectResource* owner);
+  ~vtkIndirectDataTexture() override;
 
   enum ContentType
   {
@@ -37,17 +36,15 @@ public:
 
   bool IsEmpty() const { return this->Texture == nullptr; }
 
-  ///@{
-  /** Bind the texture to a sampler; pair. An empty texture may be deactivated. */
-  void Activate(vtkShaderProgram* program, const char* uniform) const;
-  void Deactivate() const;
-  ///@}
-
-  size_t GetBytes() const { return this->Bytes; }
-  void Release(vtkWindow* window);
+  /** Binds the texture to a sampler; not for an empty texture. */
+  void Activate(const vtkIndirectProgram& program, const char* uniform) const;
 
   /** Drops the content, which is out of date; the context need not be current. */
   void Clear();
+
+protected:
+  size_t GetOwnBytes() const override { return this->Bytes; }
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   vtkSmartPointer<vtkTextureObject> Texture;

@@ -13,8 +13,10 @@
 
 #include <algorithm>
 
-vtkIndirectFullScreenProgram::vtkIndirectFullScreenProgram(const char* stage, const char* gather)
-  : Stage(stage)
+vtkIndirectFullScreenProgram::vtkIndirectFullScreenProgram(
+  vtkIndirectResource* owner, const char* stage, const char* gather)
+  : vtkIndirectResource(owner)
+  , Stage(stage)
   , Gather(gather)
 {
 }
@@ -40,7 +42,7 @@ void vtkIndirectFullScreenProgram::SetGather(const std::string& gather)
   if (gather != this->Gather)
   {
     this->Gather = gather;
-    this->Release();
+    this->Quad.reset();
   }
 }
 
@@ -50,12 +52,12 @@ void vtkIndirectFullScreenProgram::SetDefinitions(const std::string& definitions
   if (definitions != this->Definitions)
   {
     this->Definitions = definitions;
-    this->Release();
+    this->Quad.reset();
   }
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectFullScreenProgram::Use(vtkOpenGLRenderWindow* window)
+vtkIndirectProgram vtkIndirectFullScreenProgram::Use(vtkOpenGLRenderWindow* window)
 {
   if (!this->Quad)
   {
@@ -79,11 +81,11 @@ vtkShaderProgram* vtkIndirectFullScreenProgram::Use(vtkOpenGLRenderWindow* windo
     window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
   }
   vtkShaderProgram* program = this->Quad->Program;
-  return program && program->GetCompiled() ? program : nullptr;
+  return vtkIndirectProgram(program && program->GetCompiled() ? program : nullptr);
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectFullScreenProgram::Use(
+vtkIndirectProgram vtkIndirectFullScreenProgram::Use(
   vtkOpenGLRenderWindow* window, const std::string& definitions)
 {
   this->SetDefinitions(definitions);
@@ -97,7 +99,7 @@ void vtkIndirectFullScreenProgram::Draw()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFullScreenProgram::Release()
+void vtkIndirectFullScreenProgram::ReleaseOwn(vtkWindow*)
 {
   this->Quad.reset();
 }

@@ -3,29 +3,31 @@
 #ifndef vtkIndirectFullScreenProgram_h
 #define vtkIndirectFullScreenProgram_h
 
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+
 #include <memory> // for the quad
 #include <string> // for names
 
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
-class vtkIndirectFullScreenProgram
+class vtkIndirectFullScreenProgram : public vtkIndirectResource
 {
 public:
   /** stage: the name of a file in glsl; gather: the file for VTKI_GATHER, if the stage has one. */
-  vtkIndirectFullScreenProgram(const char* stage, const char* gather = "");
-
-  ~vtkIndirectFullScreenProgram();
+  vtkIndirectFullScreenProgram(
+    vtkIndirectResource* owner, const char* stage, const char* gather = "");
+  ~vtkIndirectFullScreenProgram() override;
 
   /**
    * Makes the program current, building it on first use in this window. Returns nullptr if it does
    * not compile; VTK has reported why. VTK's cache shares programs with equal text: set every
    * uniform before each Draw.
    */
-  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window);
+  vtkIndirectProgram Use(vtkOpenGLRenderWindow* window);
   /** Use after SetDefinitions. */
-  vtkShaderProgram* Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
+  vtkIndirectProgram Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
 
   /** Sets the file for VTKI_GATHER; a change rebuilds the program. */
   void SetGather(const std::string& gather);
@@ -36,7 +38,8 @@ public:
   /** Runs the program over the current viewport. */
   void Draw();
 
-  void Release();
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   std::string Stage;

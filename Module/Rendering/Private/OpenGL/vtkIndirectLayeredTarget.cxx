@@ -27,13 +27,12 @@ size_t BytesPerTexel(unsigned int internalFormat)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectLayeredTarget::vtkIndirectLayeredTarget(const vtkIndirectChannel* channels)
-  : Channels(channels)
+vtkIndirectLayeredTarget::vtkIndirectLayeredTarget(
+  vtkIndirectResource* owner, const vtkIndirectChannels& channels)
+  : vtkIndirectResource(owner)
+  , Channels(channels)
+  , NumberOfChannels(static_cast<int>(channels.size()))
 {
-  while (channels[this->NumberOfChannels].InternalFormat)
-  {
-    ++this->NumberOfChannels;
-  }
 }
 
 vtkIndirectLayeredTarget::~vtkIndirectLayeredTarget() = default;
@@ -131,9 +130,9 @@ void vtkIndirectLayeredTarget::End()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLayeredTarget::Activate(int channel, vtkShaderProgram* program)
+void vtkIndirectLayeredTarget::Activate(int channel, const vtkIndirectProgram& program)
 {
-  program->SetUniformi(this->Channels[channel].Uniform, this->Activate(channel));
+  program.Bind(this->Textures[channel], this->Channels[channel].Uniform);
 }
 
 //------------------------------------------------------------------------------
@@ -164,7 +163,7 @@ void vtkIndirectLayeredTarget::Deactivate()
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectLayeredTarget::GetBytes() const
+size_t vtkIndirectLayeredTarget::GetOwnBytes() const
 {
   size_t perTexel = 4;
   for (int i = 0; i < this->NumberOfChannels; ++i)
@@ -175,7 +174,7 @@ size_t vtkIndirectLayeredTarget::GetBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLayeredTarget::Release(vtkWindow* window)
+void vtkIndirectLayeredTarget::ReleaseOwn(vtkWindow* window)
 {
   if (this->Framebuffer)
   {

@@ -3,25 +3,23 @@
 #ifndef vtkIndirectLayeredTarget_h
 #define vtkIndirectLayeredTarget_h
 
-#include "OpenGL/vtkIndirectChannel.h" // for the table
-#include "vtkSmartPointer.h"           // for members
+#include "OpenGL/vtkIndirectChannel.h"  // for the table
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkSmartPointer.h"            // for members
 
-#include <cstddef> // for size_t
-#include <vector>  // for textures
+#include <vector> // for textures
 
 class vtkIndirectArrayTexture;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectLayeredTarget
+class vtkIndirectLayeredTarget : public vtkIndirectResource
 {
 public:
-  /** channels: table ended by InternalFormat 0. A depth array for shadow look-ups is always added.
-   */
-  explicit vtkIndirectLayeredTarget(const vtkIndirectChannel* channels);
-  ~vtkIndirectLayeredTarget();
+  /** A depth array for shadow look-ups is always added. */
+  vtkIndirectLayeredTarget(vtkIndirectResource* owner, const vtkIndirectChannels& channels);
+  ~vtkIndirectLayeredTarget() override;
 
   /** Uses only this many of the table's channels, from the first on; takes effect with Resize. */
   void SetNumberOfChannels(int count) { this->NumberOfChannels = count; }
@@ -39,7 +37,7 @@ public:
   void End();
 
   /** Binds a channel's array and sets its sampler; pair with Deactivate. */
-  void Activate(int channel, vtkShaderProgram* program);
+  void Activate(int channel, const vtkIndirectProgram& program);
   /** Texture unit with a channel's array bound; pair with Deactivate. */
   int Activate(int channel);
   /** Texture unit with the depth array bound; pair with Deactivate. */
@@ -47,12 +45,14 @@ public:
   void Deactivate();
 
   int GetLayers() const { return this->Layers; }
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+
+protected:
+  size_t GetOwnBytes() const override;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  const vtkIndirectChannel* Channels;
-  int NumberOfChannels = 0;
+  const vtkIndirectChannels& Channels;
+  int NumberOfChannels;
   int Texels = 0;
   int Layers = 0;
   int RefusedTexels = 0; // sizes that the window could not hold

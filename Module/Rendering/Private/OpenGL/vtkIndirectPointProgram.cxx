@@ -3,15 +3,20 @@
 
 #include "OpenGL/vtkIndirectPointProgram.h"
 
+#include "OpenGL/vtkIndirectBackEndChoices.h"
+#include "OpenGL/vtkIndirectFlatUniforms.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 //------------------------------------------------------------------------------
-vtkIndirectPointProgram::vtkIndirectPointProgram(const char* vertexStage, const char* fragmentStage)
-  : VertexStage(vertexStage)
+vtkIndirectPointProgram::vtkIndirectPointProgram(
+  vtkIndirectResource* owner, const char* vertexStage, const char* fragmentStage, int varyings)
+  : vtkIndirectResource(owner)
+  , VertexStage(vertexStage)
   , FragmentStage(fragmentStage)
+  , Varyings(varyings)
 {
 }
 
@@ -21,12 +26,12 @@ vtkIndirectPointProgram::~vtkIndirectPointProgram()
   if (this->Window)
   {
     this->Window->MakeCurrent();
-    this->Release();
+    this->Release(this->Window);
   }
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectPointProgram::Use(
+vtkIndirectProgram vtkIndirectPointProgram::Use(
   vtkOpenGLRenderWindow* window, const std::string& definitions)
 {
   if (this->VertexText.empty() || definitions != this->Definitions)
@@ -34,6 +39,12 @@ vtkShaderProgram* vtkIndirectPointProgram::Use(
     this->Definitions = definitions;
     this->VertexText = vtkIndirectShaderLibrary::GetShader(this->VertexStage, definitions);
     this->FragmentText = vtkIndirectShaderLibrary::GetShader(this->FragmentStage, definitions);
+    if (this->Varyings > 0 &&
+      vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Uniforms) ==
+        vtkIndirectBackEndChoices::UniformsFlat)
+    {
+      vtkIndirectFlatUniforms::Move(this->VertexText, this->FragmentText, this->Varyings);
+    }
   }
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
     this->VertexText.c_str(), this->FragmentText.c_str(), "");
@@ -46,7 +57,7 @@ vtkShaderProgram* vtkIndirectPointProgram::Use(
     this->Window = window;
     glGenVertexArrays(1, &this->VertexArray);
   }
-  return program;
+  return vtkIndirectProgram(program);
 }
 
 //------------------------------------------------------------------------------
@@ -68,8 +79,9 @@ void vtkIndirectPointProgram::DrawRectangle()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPointProgram::Release()
+void vtkIndirectPointProgram::ReleaseOwn(vtkWindow*)
 {
+  this->VertexText.clear();
   if (this->VertexArray)
   {
     glDeleteVertexArrays(1, &this->VertexArray);

@@ -96,8 +96,10 @@ int FindBoundDepthFormat()
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectTarget::vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits)
-  : Channels(channels)
+vtkIndirectTarget::vtkIndirectTarget(
+  vtkIndirectResource* owner, const vtkIndirectChannels& channels, bool depth, int depthBits)
+  : vtkIndirectResource(owner)
+  , Channels(channels)
   , WithDepth(depth)
   , DepthBits(depthBits)
 {
@@ -109,11 +111,7 @@ vtkIndirectTarget::~vtkIndirectTarget() = default;
 bool vtkIndirectTarget::Resize(
   vtkOpenGLRenderWindow* window, int width, int height, const vtkIndirectTarget* shared)
 {
-  size_t channels = 0;
-  while (channels < this->Limit && this->Channels[channels].InternalFormat)
-  {
-    ++channels;
-  }
+  const size_t channels = std::min(this->Limit, this->Channels.size());
   const int depthFormat = this->DepthFormat >= 0
     ? this->DepthFormat
     : (this->DepthBits == 16 ? vtkTextureObject::Fixed16 : vtkTextureObject::Float32);
@@ -138,7 +136,8 @@ bool vtkIndirectTarget::Resize(
   {
     vtkErrorWithObjectMacro(window,
       "Indirect illumination needs an image of "
-        << width << " x " << height << " pixels (" << this->Channels[0].Name
+        << width << " x " << height << " pixels ("
+        << (this->Channels.empty() ? "depth" : this->Channels[0].Name)
         << "); this OpenGL has images of " << most << " pixels along an edge at most.");
     this->Release(this->Window);
     return false;
@@ -366,37 +365,22 @@ void vtkIndirectTarget::ClearDepth()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program) const
+void vtkIndirectTarget::Activate(int channel, const vtkIndirectProgram& program) const
 {
   this->Activate(channel, program, this->Channels[channel].Uniform);
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTarget::Activate(int channel, vtkShaderProgram* program, const char* uniform) const
+void vtkIndirectTarget::Activate(
+  int channel, const vtkIndirectProgram& program, const char* uniform) const
 {
-  vtkTextureObject* texture = this->Textures[channel];
-  texture->Activate();
-  program->SetUniformi(uniform, texture->GetTextureUnit());
+  program.Bind(this->Textures[channel], uniform);
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTarget::ActivateDepth(vtkShaderProgram* program, const char* uniform) const
+void vtkIndirectTarget::ActivateDepth(const vtkIndirectProgram& program, const char* uniform) const
 {
-  this->Depth->Activate();
-  program->SetUniformi(uniform, this->Depth->GetTextureUnit());
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectTarget::Deactivate() const
-{
-  for (const auto& texture : this->Textures)
-  {
-    texture->Deactivate();
-  }
-  if (this->Depth)
-  {
-    this->Depth->Deactivate();
-  }
+  program.Bind(this->Depth, uniform);
 }
 
 //------------------------------------------------------------------------------
@@ -426,7 +410,7 @@ void vtkIndirectTarget::Write(int channel, const std::vector<float>& values, int
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectTarget::GetBytes() const
+size_t vtkIndirectTarget::GetOwnBytes() const
 {
   size_t perPixel = this->Depth ? this->DepthBits / 8 : 0;
   for (size_t i = 0; i < this->Textures.size(); ++i)
@@ -445,7 +429,7 @@ void vtkIndirectTarget::Print(std::ostream& os, vtkIndent indent) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectTarget::Release(vtkWindow* window)
+void vtkIndirectTarget::ReleaseOwn(vtkWindow* window)
 {
   if (this->Framebuffer)
   {

@@ -4,6 +4,8 @@
 #define vtkIndirectTarget_h
 
 #include "OpenGL/vtkIndirectChannel.h"  // for the table
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
+#include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkIndent.h"                  // for Print
 #include "vtkOpenGLFramebufferObject.h" // for members
 #include "vtkSmartPointer.h"            // for members
@@ -14,16 +16,15 @@
 #include <vector>  // for textures
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectTarget
+class vtkIndirectTarget : public vtkIndirectResource
 {
 public:
-  /** channels: table ended by InternalFormat 0; depth: adds a depth texture, of 32-bit floats or 16
-   * bits, or only that if the table is empty. */
-  vtkIndirectTarget(const vtkIndirectChannel* channels, bool depth, int depthBits = 32);
-  ~vtkIndirectTarget();
+  /** depth: true adds a depth texture, of 32-bit floats or 16 bits, or makes only that if there are
+   * no channels. The table must live as long as the target. */
+  vtkIndirectTarget(vtkIndirectResource* owner, const vtkIndirectChannels& channels, bool depth,
+    int depthBits = 32);
+  ~vtkIndirectTarget() override;
 
   /** Uses only this many of the table's channels, from the first on; before Resize. */
   void SetNumberOfChannels(int count) { this->Limit = static_cast<size_t>(count); }
@@ -80,12 +81,11 @@ public:
   vtkTextureObject* GetTexture(int channel) const { return this->Textures[channel]; }
   vtkTextureObject* GetDepthTexture() const { return this->Depth; }
 
-  /** Binds a channel's texture and sets its sampler uniform; pair with Deactivate. */
-  void Activate(int channel, vtkShaderProgram* program) const;
+  /** Binds a channel's texture and sets its sampler uniform. */
+  void Activate(int channel, const vtkIndirectProgram& program) const;
   /** Binds under another name than the channel's own. */
-  void Activate(int channel, vtkShaderProgram* program, const char* uniform) const;
-  void ActivateDepth(vtkShaderProgram* program, const char* uniform) const;
-  void Deactivate() const;
+  void Activate(int channel, const vtkIndirectProgram& program, const char* uniform) const;
+  void ActivateDepth(const vtkIndirectProgram& program, const char* uniform) const;
 
   /** Reads a channel back, four floats a pixel, bottom row first. */
   std::vector<float> ReadBack(int channel) const;
@@ -98,13 +98,15 @@ public:
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+
+protected:
+  size_t GetOwnBytes() const override;
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   void ActivateChannels();
 
-  const vtkIndirectChannel* Channels;
+  const vtkIndirectChannels& Channels;
   bool WithDepth;
   int DepthBits;
   int DepthFormat = -1; // format of vtkTextureObject to match; -1: none, use DepthBits

@@ -17,7 +17,7 @@ vtkIndirectUniformBlock::~vtkIndirectUniformBlock()
   if (this->Window)
   {
     this->Window->MakeCurrent();
-    this->Release();
+    this->Release(this->Window);
   }
 }
 
@@ -36,7 +36,7 @@ void vtkIndirectUniformBlock::Update(vtkOpenGLRenderWindow* window, const void* 
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectUniformBlock::Activate(vtkShaderProgram* program) const
+void vtkIndirectUniformBlock::Activate(const vtkIndirectProgram& program) const
 {
   const auto handle = static_cast<GLuint>(program->GetHandle());
   const GLuint index = glGetUniformBlockIndex(handle, this->Name);
@@ -48,7 +48,7 @@ void vtkIndirectUniformBlock::Activate(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectUniformBlock::Release()
+void vtkIndirectUniformBlock::ReleaseOwn(vtkWindow*)
 {
   if (this->Buffer)
   {

@@ -4,32 +4,35 @@
 #ifndef vtkIndirectUniformBlock_h
 #define vtkIndirectUniformBlock_h
 
-#include "vtkWeakPointer.h" // for the window
-
-#include <cstddef> // for size_t
+#include "OpenGL/vtkIndirectProgram.h"  // for programs
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkWeakPointer.h"             // for the window
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
-class vtkIndirectUniformBlock
+class vtkIndirectUniformBlock : public vtkIndirectResource
 {
 public:
-  explicit vtkIndirectUniformBlock(const char* name)
-    : Name(name)
+  vtkIndirectUniformBlock(vtkIndirectResource* owner, const char* name)
+    : vtkIndirectResource(owner)
+    , Name(name)
   {
   }
-  ~vtkIndirectUniformBlock();
-  vtkIndirectUniformBlock(const vtkIndirectUniformBlock&) = delete;
-  void operator=(const vtkIndirectUniformBlock&) = delete;
+  ~vtkIndirectUniformBlock() override;
 
-  /** Replaces the block's content; in std140 arrays of four floats have no gaps. */
+  /**
+   * Replaces the block's content; in std140 arrays of four floats have no gaps. data: null makes
+   * room alone.
+   */
   void Update(vtkOpenGLRenderWindow* window, const void* data, size_t bytes);
   /** Binds it to the block of that name in a program. */
-  void Activate(vtkShaderProgram* program) const;
+  void Activate(const vtkIndirectProgram& program) const;
+  /** Returns the buffer of the last Update in OpenGL. */
+  unsigned int GetBuffer() const { return this->Buffer; }
 
-  size_t GetBytes() const { return this->Bytes; }
-  /** The buffer's context must be current. */
-  void Release();
+protected:
+  size_t GetOwnBytes() const override { return this->Bytes; }
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   const char* Name;

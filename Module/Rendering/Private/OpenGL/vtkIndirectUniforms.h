@@ -32,7 +32,10 @@ inline void vtkIndirectSetUniform(vtkShaderProgram* program, const char* name, g
   program->SetUniformMatrix4x4(name, glm::value_ptr(m));
 }
 
-/** Disables depth test, blending and scissor during its lifetime. */
+/**
+ * Disables depth test, blending and scissor during its lifetime, and afterwards restores them and
+ * the rest of the state that full-screen programs change.
+ */
 class vtkIndirectFullScreenState
 {
 public:
@@ -40,6 +43,12 @@ public:
     : Depth(window->GetState(), GL_DEPTH_TEST)
     , Blend(window->GetState(), GL_BLEND)
     , Scissor(window->GetState(), GL_SCISSOR_TEST)
+    , BlendFunc(window->GetState())
+    , ClearColor(window->GetState())
+    , DepthFunc(window->GetState())
+    , DepthMask(window->GetState())
+    , ScissorBox(window->GetState())
+    , Viewport(window->GetState())
   {
     window->GetState()->vtkglDisable(GL_DEPTH_TEST);
     window->GetState()->vtkglDisable(GL_BLEND);
@@ -50,6 +59,12 @@ private:
   vtkOpenGLState::ScopedglEnableDisable Depth;
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglEnableDisable Scissor;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+  vtkOpenGLState::ScopedglClearColor ClearColor;
+  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
+  vtkOpenGLState::ScopedglDepthMask DepthMask;
+  vtkOpenGLState::ScopedglScissor ScissorBox;
+  vtkOpenGLState::ScopedglViewport Viewport;
 };
 
 #endif

@@ -11,9 +11,10 @@
 
 //------------------------------------------------------------------------------
 vtkIndirectBounceLight::vtkIndirectBounceLight(
-  vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps)
-  : Samplers(samplers)
-  , Visibility(maps)
+  vtkIndirectResource* owner, vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps)
+  : vtkIndirectEstimatorLight(owner)
+  , Samplers(samplers)
+  , Visibility(this, maps)
 {
 }
 
@@ -121,11 +122,9 @@ void vtkIndirectBounceLight::AddToReport(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceLight::Release(vtkWindow* window)
+void vtkIndirectBounceLight::ReleaseOwn(vtkWindow* window)
 {
-  this->Samplers.Release(window);
-  this->Visibility.Release(window);
+  this->vtkIndirectEstimatorLight::ReleaseOwn(window);
   this->Surfaces.Clear();
   this->Blockers.Forget();
-  this->Estimator = nullptr;
 }

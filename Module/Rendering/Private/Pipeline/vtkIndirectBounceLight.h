@@ -15,7 +15,8 @@ class vtkVirtualLightSampler;
 class vtkIndirectBounceLight : public vtkIndirectEstimatorLight
 {
 public:
-  vtkIndirectBounceLight(vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps);
+  vtkIndirectBounceLight(
+    vtkIndirectResource* owner, vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps);
 
   /** Sets the estimator, and the user's sampler, whose changes make lights stale. */
   void SetEstimator(vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users);
@@ -32,9 +33,11 @@ public:
   /** Releases depth maps, voxels and surfaces. */
   void Rest(const Input& input) override;
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
-  void Release(vtkWindow* window) override;
 
   const vtkIndirectVisibility& GetVisibility() const { return this->Visibility; }
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   const vtkIndirectBlockingSpheres* UpdateSurfaces(

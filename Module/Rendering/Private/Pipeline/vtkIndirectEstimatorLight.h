@@ -13,10 +13,13 @@ class vtkIndirectSum;
 class vtkIndirectEstimatorLight : public vtkIndirectFrameLight
 {
 public:
+  using vtkIndirectFrameLight::vtkIndirectFrameLight;
+
   vtkIndirectEstimate Sum(const Input& input) override;
   bool IsCurrent() const override;
 
 protected:
+  void ReleaseOwn(vtkWindow*) override { this->Estimator = nullptr; }
   void SetEstimator(vtkIndirectEstimatorPass* estimator);
   vtkIndirectSum& GetSum() const;
   /** Adds the estimator's memory, and what it modelled and left out. */

@@ -9,6 +9,8 @@
 class vtkIndirectEstimatorSky : public vtkIndirectEstimatorLight
 {
 public:
+  using vtkIndirectEstimatorLight::vtkIndirectEstimatorLight;
+
   /** Sets the estimator; alone: it is the frame's estimator, and gives no other light. */
   void SetEstimator(vtkIndirectEstimatorPass* estimator, bool alone);
 
@@ -16,7 +18,6 @@ public:
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
   bool Update(const Input&) override { return true; }
   void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
-  void Release(vtkWindow*) override { this->Estimator = nullptr; }
 
 private:
   bool Alone = false;

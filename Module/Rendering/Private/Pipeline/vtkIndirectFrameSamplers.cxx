@@ -22,7 +22,8 @@ constexpr int LightsOfLaterBounces = 64;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectFrameSamplers::vtkIndirectFrameSamplers()
+vtkIndirectFrameSamplers::vtkIndirectFrameSamplers(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
 {
   this->LaterBounces->SetFirstBounce(2);
   this->LaterBounces->SetNumberOfVertices(VerticesOfLaterBounces);
@@ -205,7 +206,7 @@ void vtkIndirectFrameSamplers::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFrameSamplers::Release(vtkWindow* window)
+void vtkIndirectFrameSamplers::ReleaseOwn(vtkWindow* window)
 {
   this->Default->ReleaseGraphicsResources(window);
   this->Headlight->Release(window);
@@ -221,5 +222,4 @@ void vtkIndirectFrameSamplers::Release(vtkWindow* window)
     sampler->Release(window);
   }
   this->Samplers.clear();
-  this->Lights.Release(window);
 }

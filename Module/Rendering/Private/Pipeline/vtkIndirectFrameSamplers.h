@@ -5,6 +5,7 @@
 #define vtkIndirectFrameSamplers_h
 
 #include "Frame/vtkIndirectKey.h"                      // for keys
+#include "OpenGL/vtkIndirectResource.h"                // for the base class
 #include "VirtualLights/vtkIndirectEmitters.h"         // for emitters
 #include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
 #include "VirtualLights/vtkIndirectSenderSampler.h"    // for members
@@ -25,15 +26,14 @@ class vtkIndirectGeometryBuffer;
 class vtkIndirectLightMaps;
 class vtkIndirectSurfaces;
 class vtkSurfaceCapturePass;
-class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
 
-class vtkIndirectFrameSamplers
+class vtkIndirectFrameSamplers : public vtkIndirectResource
 {
 public:
-  vtkIndirectFrameSamplers();
+  explicit vtkIndirectFrameSamplers(vtkIndirectResource* owner);
 
   /** The sampler if the user has set none. */
   vtkNew<vtkLightTreeSampler> Default;
@@ -87,7 +87,9 @@ public:
 
   long long GetNumberOfFacesDrawn() const { return this->Senders->GetNumberOfFacesDrawn(); }
   void AddToReport(vtkIndirectReport& report) const;
-  void Release(vtkWindow* window);
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   template <typename SamplerType>
@@ -99,7 +101,7 @@ private:
   vtkNew<vtkRandomWalkLightSampler> LaterBounces;
   std::vector<vtkIndirectSampler::Pointer> Samplers; // samplers of the frame
   bool SendersAreWalked = false; // later bounces are among the sources of the sampler's lights
-  vtkIndirectVirtualLights Lights;
+  vtkIndirectVirtualLights Lights{ this };
 };
 
 #endif

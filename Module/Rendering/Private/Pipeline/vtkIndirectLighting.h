@@ -9,11 +9,9 @@
 #include "VirtualLights/vtkIndirectPresetLights.h" // for members
 #include "vtkNew.h"                                // for members
 
-#include <string> // for reasons
 #include <vector> // for lists
 
 class vtkEnvironmentLight;
-class vtkLight;
 class vtkLightCollection;
 class vtkRenderer;
 struct vtkIndirectReport;

@@ -185,7 +185,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->Geometry.Update(s, this->Frame, this->Plan, this->Capture, shadowed ? &shadows : nullptr);
   if (shadowed)
   {
-    this->Maps.Deactivate();
+    this->Maps.DeactivateShadows();
     this->Penumbra.Deactivate();
   }
   drawn = drawn && !this->IsRedirected() &&
@@ -513,20 +513,13 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPipeline::Release(vtkWindow* window)
+void vtkIndirectPipeline::ReleaseOwn(vtkWindow* window)
 {
   this->Capture->ReleaseGraphicsResources(window);
-  this->Levels.Release(window);
   this->Maps.Release(window);
-  this->Penumbra.Release(window);
-  this->Geometry.Release(window);
-  this->Bounce.Release(window);
-  this->ReleaseSkyMaps(window);
-  this->EstimatorSky.Release(window);
+  this->SkyProjection = vtkIndirectSkyProjection();
   this->Spheres->ReleaseGraphicsResources(window);
   this->SphereMotion.Forget();
-  this->Area.Release(window);
-  this->VisibleLamps.Release(window);
   this->DefaultEstimator->ReleaseGraphicsResources(window);
   if (this->Estimator)
   {
@@ -534,8 +527,6 @@ void vtkIndirectPipeline::Release(vtkWindow* window)
   }
   this->Estimator = nullptr;
   this->HeldEstimator = nullptr;
-  this->Composite.Release(window);
-  this->Antialiasing.Release(window);
   this->Timer.Release();
   for (Part& part : this->Parts)
   {

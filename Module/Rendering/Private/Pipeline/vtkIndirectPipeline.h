@@ -20,6 +20,7 @@
 #include "Gather/vtkIndirectAreaGather.h"           // for members
 #include "Gather/vtkIndirectSkyGather.h"            // for members
 #include "Gather/vtkIndirectVisibleLamps.h"         // for members
+#include "OpenGL/vtkIndirectResource.h"             // for the base class
 #include "Pipeline/vtkIndirectBounceLight.h"        // for a member
 #include "Pipeline/vtkIndirectEstimatorSky.h"       // for a member
 #include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
@@ -46,7 +47,7 @@ class vtkImageData;
 class vtkLightCollection;
 class vtkRenderPass;
 
-class vtkIndirectPipeline
+class vtkIndirectPipeline : public vtkIndirectResource
 {
 public:
   /** The settings and objects that the pass hands to the pipeline for a frame. */
@@ -103,14 +104,16 @@ public:
 
   /** Adds what the last frame modelled and left out, its sizes and its counters to the report. */
   void AddToReport(vtkIndirectReport& report) const;
-  void Release(vtkWindow* window);
 
   vtkIndirectStageTimer Timer;
   vtkNew<vtkReflectiveShadowMapPass> MapsPass; // the user's settings of the lights' maps
   vtkNew<vtkMultiresolutionSplattingPass> DefaultEstimator;
   std::vector<vtkSmartPointer<vtkAreaLight>> AreaLights;
-  vtkIndirectFrameSamplers Samplers;
-  vtkIndirectCoarseLevels Levels;
+  vtkIndirectFrameSamplers Samplers{ this };
+  vtkIndirectCoarseLevels Levels{ this };
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   // One kind of light of the frame.
@@ -152,19 +155,19 @@ private:
   vtkIndirectLightMaps& Maps = vtkIndirectLightMaps::Get(this->MapsPass);
   vtkNew<vtkSurfaceCapturePass> Capture;
   vtkIndirectDepthMaps DepthMaps;
-  vtkIndirectPenumbra Penumbra{ DepthMaps }; // penumbrae of the maps' lights
-  vtkIndirectGeometryBuffer Geometry;
-  vtkIndirectBounceLight Bounce{ Samplers, DepthMaps };
+  vtkIndirectPenumbra Penumbra{ this, DepthMaps }; // penumbrae of the maps' lights
+  vtkIndirectGeometryBuffer Geometry{ this };
+  vtkIndirectBounceLight Bounce{ this, Samplers, DepthMaps };
   vtkIndirectSkyProjection SkyProjection;
-  vtkIndirectSkyGather SkyMaps{ DepthMaps };
-  vtkIndirectEstimatorSky EstimatorSky;     // replaces SkyMaps
-  vtkNew<vtkProxyAccumulationPass> Spheres; // an estimator for EstimatorSky
+  vtkIndirectSkyGather SkyMaps{ this, DepthMaps };
+  vtkIndirectEstimatorSky EstimatorSky{ this }; // replaces SkyMaps
+  vtkNew<vtkProxyAccumulationPass> Spheres;     // an estimator for EstimatorSky
   vtkIndirectSphereMotion SphereMotion;
-  vtkIndirectAreaGather Area{ DepthMaps };
-  vtkIndirectVisibleLamps VisibleLamps;
+  vtkIndirectAreaGather Area{ this, DepthMaps };
+  vtkIndirectVisibleLamps VisibleLamps{ this };
   vtkIndirectImageLight ImageLight;
-  vtkIndirectComposite Composite;
-  vtkIndirectAntialiasing Antialiasing;
+  vtkIndirectComposite Composite{ this };
+  vtkIndirectAntialiasing Antialiasing{ this };
 
   // Data of the last frame.
   vtkIndirectFrame Frame;

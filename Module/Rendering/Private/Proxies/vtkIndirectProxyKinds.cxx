@@ -2,7 +2,6 @@
 #include "Proxies/vtkIndirectProxyKinds.h"
 
 #include "Frame/vtkIndirectActors.h"
-#include "Frame/vtkIndirectFrame.h"
 #include "Proxies/vtkIndirectProxyMolecules.h"
 #include "Proxies/vtkIndirectProxyShapes.h"
 #include "Proxies/vtkIndirectProxySticks.h"

@@ -178,15 +178,8 @@ bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironment
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyLight::Activate(vtkShaderProgram* program) const
+void vtkIndirectProxyLight::Activate(const vtkIndirectProgram& program) const
 {
   this->Block.Activate(program);
   program->SetUniformi("vtkiPolygonCount", this->NumberOfPolygons);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxyLight::Release()
-{
-  this->Block.Release();
-  this->Environment = nullptr;
 }

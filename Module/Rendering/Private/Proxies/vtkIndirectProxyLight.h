@@ -4,6 +4,7 @@
 #ifndef vtkIndirectProxyLight_h
 #define vtkIndirectProxyLight_h
 
+#include "OpenGL/vtkIndirectResource.h"     // for the base class
 #include "OpenGL/vtkIndirectUniformBlock.h" // for a member
 #include "Proxies/vtkIndirectProxySphere.h" // for polygons
 
@@ -12,11 +13,12 @@
 #include <array> // for coefficients
 
 class vtkEnvironmentLight;
-class vtkShaderProgram;
 
-class vtkIndirectProxyLight
+class vtkIndirectProxyLight : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
+
   static constexpr int NumberOfCoefficients = 16;
   static constexpr size_t MostPolygons = 32;
   static constexpr size_t MostCorners = 8;
@@ -46,15 +48,16 @@ public:
   /** Unit. */
   static glm::dvec3 FindNormal(const vtkIndirectProxyPolygon& polygon);
 
-  void Activate(vtkShaderProgram* program) const;
-  size_t GetBytes() const { return this->Block.GetBytes(); }
-  void Release();
+  void Activate(const vtkIndirectProgram& program) const;
+
+protected:
+  void ReleaseOwn(vtkWindow*) override { this->Environment = nullptr; }
 
 private:
   void AddPolygons(std::vector<glm::vec4>& rows,
     const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace);
 
-  vtkIndirectUniformBlock Block{ "vtkiProxyBlock" };
+  vtkIndirectUniformBlock Block{ this, "vtkiProxyBlock" };
   Coefficients Light;
   vtkEnvironmentLight* Environment = nullptr; // compared only
   vtkMTimeType Time = 0;

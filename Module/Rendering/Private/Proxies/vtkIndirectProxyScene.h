@@ -14,10 +14,8 @@
 #include <utility> // for pairs
 #include <vector>  // for lists
 
-class vtkActor;
 class vtkDataSet;
 class vtkMapper;
-class vtkMatrix4x4;
 class vtkObject;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;

@@ -7,11 +7,8 @@
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyChannels.h"
-#include "vtkOpenGLShaderCache.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 
@@ -34,27 +31,17 @@ enum ModeType
   REST,
   SENDERS
 };
-
-#ifdef GL_COMPUTE_SHADER
-// The next user of the images may sample them, draw over them, add to them, read them back or
-// replace them.
-void FinishImages()
-{
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-}
-#endif
-
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectProxySums::vtkIndirectProxySums()
-  : SenderLight(SenderLightChannels, false)
-  , AllLight(SentLightChannels, false)
-  , Coarse(CoarseChannels)
-  , Shared(SharedChannels, false)
-  , Counts(CountChannels, false)
-  , Blended(BlendedChannels, false)
+vtkIndirectProxySums::vtkIndirectProxySums(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , SenderLight(this, SenderLightChannels, false)
+  , AllLight(this, SentLightChannels, false)
+  , Coarse(this, CoarseChannels)
+  , Shared(this, SharedChannels, false)
+  , Counts(this, CountChannels, false)
+  , Blended(this, BlendedChannels, false)
 {
 }
 
@@ -107,7 +94,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     kernel.SetDefinitions(i > 0    ? "#define VTKI_PROXY_MEANS\n"
         : this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n"
                                    : "");
-    vtkShaderProgram* program = kernel.Use(window);
+    vtkIndirectProgram program = kernel.Use(window);
     if (!program)
     {
       return false;
@@ -130,13 +117,6 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
       }
     }
     kernel.Draw();
-    this->SenderLight.Deactivate();
-    entries.Deactivate();
-    ranges.Deactivate();
-    if (i == 0)
-    {
-      this->Deactivate(input);
-    }
     target.End();
   }
   this->SendersAreLit = true;
@@ -144,7 +124,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* program) const
+void vtkIndirectProxySums::Activate(const Input& input, const vtkIndirectProgram& program) const
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
@@ -165,15 +145,6 @@ void vtkIndirectProxySums::Activate(const Input& input, vtkShaderProgram* progra
   program->SetUniformi("vtkiProxyHides", input.Hides ? 1 : 0);
   program->SetUniformi("vtkiEyeIsInside", input.EyeIsInside ? 1 : 0);
   program->SetUniformf("vtkiProxyLightReach", static_cast<float>(input.LightReach));
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxySums::Deactivate(const Input& input) const
-{
-  input.Geometry.GetTarget().Deactivate();
-  this->Tables.Deactivate();
-  this->SenderLight.Deactivate();
-  this->AllLight.Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -205,7 +176,7 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
     this->Coarse.Release(frame.Window);
     this->Shared.Release(frame.Window);
     this->Counts.Release(frame.Window);
-    this->Rest.Release();
+    this->Rest.Release(frame.Window);
   }
   else
   {
@@ -246,9 +217,8 @@ bool vtkIndirectProxySums::SumRest(
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& image)
 {
-#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  vtkShaderProgram* program = this->Choosing.Use(frame.Window);
+  const vtkIndirectProgram program = this->Choosing.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -257,35 +227,18 @@ bool vtkIndirectProxySums::ChooseRest(const Input& input, vtkIndirectTarget& ima
   this->Rest.Begin(frame.Window, 2 * pixels);
   this->Activate(input, program);
   this->Rest.Activate(program, "vtkiProxyPixels");
-  glBindImageTexture(
-    0, image.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  glBindImageTexture(
-    1, this->Counts.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32F);
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  glDispatchCompute(static_cast<GLuint>((this->Counts.GetWidth() + SharedTile - 1) / SharedTile),
-    static_cast<GLuint>((this->Counts.GetHeight() + SharedTile - 1) / SharedTile), 1);
-  glMemoryBarrier(
-    GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-  for (GLuint i = 0; i < 2; ++i)
-  {
-    glBindImageTexture(i, 0, 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  }
-  this->Rest.Deactivate();
-  this->Deactivate(input);
+  this->Choosing.AddImages(image);
+  this->Choosing.AddImages(this->Counts, 1);
+  this->Choosing.Run(this->Counts.GetWidth(), this->Counts.GetHeight(), SharedTile);
   return true;
-#else
-  return image.GetWidth() > 0 && input.Step > 0;
-#endif
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::ShareRest(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
-#ifdef GL_COMPUTE_SHADER
-  const vtkIndirectFrame& frame = input.Frame;
   this->Sharing.SetDefinitions(definitions);
-  vtkShaderProgram* program = this->Sharing.Use(frame.Window);
+  const vtkIndirectProgram program = this->Sharing.Use(input.Frame.Window);
   if (!program)
   {
     return false;
@@ -296,86 +249,43 @@ bool vtkIndirectProxySums::ShareRest(
   {
     this->Shared.Activate(i, program);
   }
-  this->BindImages(image, 0, true);
   this->Rest.Activate(program, "vtkiProxyPixels");
-  this->Rest.Dispatch(1);
-  this->Rest.Deactivate();
-  FinishImages();
-  this->BindImages(image, 0, false);
-  this->Counts.Deactivate();
-  this->Shared.Deactivate();
-  this->Deactivate(input);
+  this->Sharing.AddImages(image);
+  this->Sharing.Run(this->Rest, 1);
   return true;
-#else
-  return image.GetWidth() > 0 && definitions.empty() && input.Step > 0;
-#endif
-}
-
-//------------------------------------------------------------------------------
-// Binds all channels of a target as images from a unit on, or unbinds them.
-void vtkIndirectProxySums::BindImages(vtkIndirectTarget& target, int unit, bool binds)
-{
-#ifdef GL_COMPUTE_SHADER
-  for (int i = 0; i < target.GetNumberOfChannels(); ++i)
-  {
-    glBindImageTexture(static_cast<GLuint>(unit + i), binds ? target.GetTexture(i)->GetHandle() : 0,
-      0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
-  }
-#endif
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxySums::SumInTiles(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode)
 {
-#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
-  this->Tiles[mode].SetDefinitions(definitions +
-    (this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n" : "") +
+  vtkIndirectComputeProgram& tiles = this->Tiles[mode];
+  tiles.SetDefinitions(definitions + (this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n" : "") +
     (mode == PIXELS ? "#define VTKI_PROXY_PIXELS\n" : "") +
     (mode == REST ? "#define VTKI_PROXY_REST\n" : ""));
-  vtkShaderProgram* program = this->Tiles[mode].Use(frame.Window);
+  const vtkIndirectProgram program = tiles.Use(frame.Window);
   if (!program)
   {
     return false;
   }
   this->Activate(input, program);
+  tiles.AddImages(image, mode == PIXELS || mode == REST ? PixelUnit : 0);
+  if (mode == REST)
+  {
+    tiles.AddImages(this->Shared);
+    this->Rest.Activate(program, "vtkiProxyPixels");
+    tiles.Run(this->Rest, 0);
+    return true;
+  }
   const int senders[2] = {
     (this->Tables.GetNumberOfSenders() + RowLength - 1) / RowLength * TileSize, TileSize
   };
   const int* const size = mode == COARSE ? this->CoarseSize
     : mode == SENDERS                    ? senders
                                          : frame.Size;
-  const bool ofPixels = mode == PIXELS || mode == REST;
-  const auto bind = [&](bool binds)
-  {
-    this->BindImages(image, ofPixels ? PixelUnit : 0, binds);
-    if (mode == REST)
-    {
-      this->BindImages(this->Shared, 0, binds);
-    }
-  };
-  bind(true);
-  // Waits for the kernel's inputs, which llvmpipe does not do by itself.
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-  if (mode == REST)
-  {
-    this->Rest.Activate(program, "vtkiProxyPixels");
-    this->Rest.Dispatch(0);
-    this->Rest.Deactivate();
-  }
-  else
-  {
-    glDispatchCompute(static_cast<GLuint>((size[0] + TileSize - 1) / TileSize),
-      static_cast<GLuint>((size[1] + TileSize - 1) / TileSize), 1);
-  }
-  FinishImages();
-  bind(false);
-  this->Deactivate(input);
+  tiles.Run(size[0], size[1], TileSize);
   return true;
-#else
-  return image.GetWidth() > 0 && mode >= 0 && definitions.empty() && input.Step > 0;
-#endif
 }
 
 //------------------------------------------------------------------------------
@@ -387,10 +297,8 @@ bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definiti
   {
     return false;
   }
-  vtkShaderProgram* program = frame.Window->GetShaderCache()->ReadyShaderProgram(
-    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatVS.glsl", definitions).c_str(),
-    vtkIndirectShaderLibrary::GetShader("vtkIndirectProxySplatFS.glsl", definitions).c_str(), "");
-  if (!program || !program->GetCompiled())
+  const vtkIndirectProgram program = this->Splatting.Use(frame.Window, definitions);
+  if (!program)
   {
     return false;
   }
@@ -416,7 +324,6 @@ bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definiti
       std::min(EntriesPerDraw, this->Tables.GetNumberOfEntries() - first));
     glFlush();
   }
-  this->Deactivate(input);
   state->vtkglDisable(GL_BLEND);
   target.End();
   return true;
@@ -433,7 +340,7 @@ bool vtkIndirectProxySums::SumBlended(
   }
   const bool coarse = input.Step > 1;
   vtkIndirectTarget& target = coarse ? this->Coarse : image;
-  vtkShaderProgram* program =
+  vtkIndirectProgram program =
     this->Resolving.Use(frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
   if (!program)
   {
@@ -446,8 +353,6 @@ bool vtkIndirectProxySums::SumBlended(
     this->Blended.Activate(i, program);
   }
   this->Resolving.Draw();
-  this->Blended.Deactivate();
-  this->Deactivate(input);
   target.End();
   return !coarse || this->Upsample(input, definitions + "#define VTKI_PROXY_GATHER\n", image);
 }
@@ -456,7 +361,7 @@ bool vtkIndirectProxySums::SumBlended(
 bool vtkIndirectProxySums::Upsample(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
-  vtkShaderProgram* program = this->Upsampling.Use(
+  vtkIndirectProgram program = this->Upsampling.Use(
     input.Frame.Window, definitions + vtkIndirectReceiverGrid::DefineStep(input.Step));
   if (!program)
   {
@@ -475,8 +380,6 @@ bool vtkIndirectProxySums::Upsample(
   this->Activate(input, program);
   this->Coarse.ActivateAll(program);
   this->Upsampling.Draw();
-  this->Coarse.Deactivate();
-  this->Deactivate(input);
   program = this->Background.Use(input.Frame.Window);
   state->vtkglDepthFunc(GL_EQUAL);
   if (program)
@@ -490,42 +393,8 @@ bool vtkIndirectProxySums::Upsample(
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectProxySums::GetBytes() const
+void vtkIndirectProxySums::ReleaseOwn(vtkWindow*)
 {
-  size_t bytes = this->Tables.GetBytes() + this->Mesh.GetBytes() + this->Light.GetBytes() +
-    this->Rest.GetBytes();
-  for (const vtkIndirectTarget* target :
-    std::initializer_list<const vtkIndirectTarget*>{ &this->SenderLight, &this->AllLight,
-      &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
-  {
-    bytes += target->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxySums::Release(vtkWindow* window)
-{
-  for (vtkIndirectTarget* target : std::initializer_list<vtkIndirectTarget*>{ &this->SenderLight,
-         &this->AllLight, &this->Coarse, &this->Shared, &this->Counts, &this->Blended })
-  {
-    target->Release(window);
-  }
-  this->Tables.Release(window);
-  this->Light.Release();
-  this->Mesh.Release();
-  this->Rest.Release();
-  this->Choosing.Release(window);
-  this->Sharing.Release(window);
-  for (vtkIndirectComputeProgram& program : this->Tiles)
-  {
-    program.Release(window);
-  }
-  this->Upsampling.Release();
-  this->Background.Release();
-  this->Resolving.Release();
-  this->Sending.Release();
-  this->Averaging.Release();
   this->Changed = true;
   this->SendersAreLit = false;
 }

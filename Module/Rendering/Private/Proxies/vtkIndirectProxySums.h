@@ -9,6 +9,8 @@
 #include "OpenGL/vtkIndirectCommandBuffer.h"     // for a member
 #include "OpenGL/vtkIndirectComputeProgram.h"    // for members
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectPointProgram.h"      // for a member
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "Proxies/vtkIndirectProxyLight.h"       // for a member
 #include "Proxies/vtkIndirectProxyTreeTables.h"  // for a member
@@ -19,10 +21,10 @@
 class vtkIndirectGeometryBuffer;
 struct vtkIndirectFrame;
 
-class vtkIndirectProxySums
+class vtkIndirectProxySums : public vtkIndirectResource
 {
 public:
-  vtkIndirectProxySums();
+  explicit vtkIndirectProxySums(vtkIndirectResource* owner);
 
   struct Input
   {
@@ -50,16 +52,14 @@ public:
    */
   bool Sum(const Input& input, vtkIndirectTarget& image);
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  void Activate(const Input& input, vtkShaderProgram* program) const;
-  void Deactivate(const Input& input) const;
+  void Activate(const Input& input, const vtkIndirectProgram& program) const;
   bool LightSenders(const Input& input);
   bool SumInTiles(
     const Input& input, const std::string& definitions, vtkIndirectTarget& image, int mode);
-  static void BindImages(vtkIndirectTarget& target, int unit, bool binds);
   bool SumRest(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
   bool ChooseRest(const Input& input, vtkIndirectTarget& image);
   bool ShareRest(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
@@ -67,8 +67,8 @@ private:
   bool Splat(const Input& input, const std::string& definitions);
   bool Upsample(const Input& input, const std::string& definitions, vtkIndirectTarget& image);
 
-  vtkIndirectProxyTreeTables Tables;
-  vtkIndirectProxyLight Light;
+  vtkIndirectProxyTreeTables Tables{ this };
+  vtkIndirectProxyLight Light{ this };
   bool Changed = true; // since the light was set
   bool SendersAreLit = false;
   int CoarseSize[2] = { 0, 0 };
@@ -78,19 +78,20 @@ private:
   vtkIndirectTarget Shared;  // receivers of tiles
   vtkIndirectTarget Counts;  // number of receivers
   vtkIndirectTarget Blended; // sums
-  vtkIndirectSplatMesh Mesh;
-  vtkIndirectCommandBuffer Rest{ 2 }; // tiles' receivers, and the pixels that they represent
-  vtkIndirectComputeProgram Choosing{ "vtkIndirectProxyChooseCS.glsl" };
-  vtkIndirectComputeProgram Sharing{ "vtkIndirectProxyShareCS.glsl" };
+  vtkIndirectSplatMesh Mesh{ this };
+  vtkIndirectCommandBuffer Rest{ this, 2 }; // tiles' receivers, and the pixels that they represent
+  vtkIndirectComputeProgram Choosing{ this, "vtkIndirectProxyChooseCS.glsl" };
+  vtkIndirectComputeProgram Sharing{ this, "vtkIndirectProxyShareCS.glsl" };
   // For coarse receivers, all pixels, tiles' receivers, senders.
-  vtkIndirectComputeProgram Tiles[4]{ vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
-    vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
-    vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl"),
-    vtkIndirectComputeProgram("vtkIndirectProxyTilesCS.glsl") };
-  vtkIndirectFullScreenProgram Sending{ "vtkIndirectProxySendersFS.glsl" };
-  vtkIndirectFullScreenProgram Averaging{ "vtkIndirectProxySendersFS.glsl" };
-  vtkIndirectFullScreenProgram Upsampling{ "vtkIndirectProxyUpsampleFS.glsl" };
-  vtkIndirectFullScreenProgram Background{ "vtkIndirectClearFS.glsl" };
-  vtkIndirectFullScreenProgram Resolving{ "vtkIndirectProxyResolveFS.glsl" };
+  vtkIndirectComputeProgram Tiles[4]{ { this, "vtkIndirectProxyTilesCS.glsl" },
+    { this, "vtkIndirectProxyTilesCS.glsl" }, { this, "vtkIndirectProxyTilesCS.glsl" },
+    { this, "vtkIndirectProxyTilesCS.glsl" } };
+  vtkIndirectFullScreenProgram Sending{ this, "vtkIndirectProxySendersFS.glsl" };
+  vtkIndirectFullScreenProgram Averaging{ this, "vtkIndirectProxySendersFS.glsl" };
+  vtkIndirectPointProgram Splatting{ this, "vtkIndirectProxySplatVS.glsl",
+    "vtkIndirectProxySplatFS.glsl" };
+  vtkIndirectFullScreenProgram Upsampling{ this, "vtkIndirectProxyUpsampleFS.glsl" };
+  vtkIndirectFullScreenProgram Background{ this, "vtkIndirectClearFS.glsl" };
+  vtkIndirectFullScreenProgram Resolving{ this, "vtkIndirectProxyResolveFS.glsl" };
 };
 #endif

@@ -66,12 +66,13 @@ void Append(std::vector<float>& values, const glm::vec3& xyz, float w)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectProxyTreeTables::vtkIndirectProxyTreeTables()
-  : Table(TableChannels, false)
-  , Rows(RowsChannels, false)
-  , Blocks(BlocksChannels, false)
-  , Senders(SendersChannels, false)
-  , Ranges(RangesChannels, false)
+vtkIndirectProxyTreeTables::vtkIndirectProxyTreeTables(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Table(this, TableChannels, false)
+  , Rows(this, RowsChannels, false)
+  , Blocks(this, BlocksChannels, false)
+  , Senders(this, SendersChannels, false)
+  , Ranges(this, RangesChannels, false)
 {
 }
 
@@ -180,7 +181,7 @@ bool vtkIndirectProxyTreeTables::UpdateSenders(
 
 //------------------------------------------------------------------------------
 void vtkIndirectProxyTreeTables::SetTexelSize(
-  vtkShaderProgram* program, const char* name, const vtkIndirectTarget& table)
+  const vtkIndirectProgram& program, const char* name, const vtkIndirectTarget& table)
 {
   const float perTexel[2] = { 1.0f / static_cast<float>(RowLength),
     1.0f / static_cast<float>(std::max(table.GetHeight(), 1)) };
@@ -188,7 +189,7 @@ void vtkIndirectProxyTreeTables::SetTexelSize(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyTreeTables::Activate(vtkShaderProgram* program) const
+void vtkIndirectProxyTreeTables::Activate(const vtkIndirectProgram& program) const
 {
   if (program->IsUniformUsed("vtkiSenderPlace"))
   {
@@ -211,34 +212,7 @@ void vtkIndirectProxyTreeTables::Activate(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyTreeTables::Deactivate() const
+void vtkIndirectProxyTreeTables::ReleaseOwn(vtkWindow*)
 {
-  for (const vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders })
-  {
-    target->Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectProxyTreeTables::GetBytes() const
-{
-  size_t bytes = 0;
-  for (const vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges })
-  {
-    bytes += target->GetBytes();
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxyTreeTables::Release(vtkWindow* window)
-{
-  for (vtkIndirectTarget* target :
-    { &this->Table, &this->Rows, &this->Blocks, &this->Senders, &this->Ranges })
-  {
-    target->Release(window);
-  }
   this->NumberOfEntries = this->NumberOfBlocks = this->NumberOfSenders = 0;
 }

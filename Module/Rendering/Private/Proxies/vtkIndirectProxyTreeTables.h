@@ -4,27 +4,27 @@
 #ifndef vtkIndirectProxyTreeTables_h
 #define vtkIndirectProxyTreeTables_h
 
+#include "OpenGL/vtkIndirectResource.h"    // for the base class
 #include "OpenGL/vtkIndirectTarget.h"      // for members
 #include "Proxies/vtkIndirectProxyLight.h" // for polygons
 #include "Proxies/vtkIndirectProxyTree.h"  // for entries
 
 #include <vector> // for polygons
 
-class vtkIndirectProxyTreeTables
+class vtkIndirectProxyTreeTables : public vtkIndirectResource
 {
 public:
-  vtkIndirectProxyTreeTables();
+  explicit vtkIndirectProxyTreeTables(vtkIndirectResource* owner);
 
   /** Uploads entries. Returns false, after an error, if OpenGL refuses. */
   bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree,
     const std::vector<vtkIndirectProxyPolygon>& polygons);
 
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
+  void Activate(const vtkIndirectProgram& program) const;
   /** Sets the size of a table's texel over the table's width and height, for rows of
    * VTKI_ROW_LENGTH. */
   static void SetTexelSize(
-    vtkShaderProgram* program, const char* name, const vtkIndirectTarget& table);
+    const vtkIndirectProgram& program, const char* name, const vtkIndirectTarget& table);
 
   /** The polygons that send light: the largest of those given to Update. */
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }
@@ -38,8 +38,8 @@ public:
   /** Ranges of senders whose mean an entry sends. */
   const vtkIndirectTarget& GetRanges() const { return this->Ranges; }
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   bool UpdateSenders(vtkOpenGLRenderWindow* window, const vtkIndirectProxyTree& tree);

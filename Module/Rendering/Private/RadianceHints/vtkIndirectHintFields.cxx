@@ -27,16 +27,14 @@ namespace
 const vtkIndirectChannel DistanceChannel = { "hints.distance", "vtkiHintDistance",
   "nearest and farthest sender, share of senders that face the hint", GL_RGBA32F, "-",
   "BounceRange" };
-const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
-const vtkIndirectChannel ThreeFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
-  DistanceChannel, NoChannel };
-const vtkIndirectChannel SevenFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
-  VTKI_FIELD(3), VTKI_FIELD(4), VTKI_FIELD(5), VTKI_FIELD(6), DistanceChannel, NoChannel };
+const vtkIndirectChannels ThreeFields = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
+  DistanceChannel };
+const vtkIndirectChannels SevenFields = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
+  VTKI_FIELD(3), VTKI_FIELD(4), VTKI_FIELD(5), VTKI_FIELD(6), DistanceChannel };
 #undef VTKI_FIELD
 
-const vtkIndirectChannel RadiosityChannels[] = {
+const vtkIndirectChannels RadiosityChannels = {
   { "hints.radiosity", "vtkiRadiosity", "what surfaces reflect", GL_RGBA32F, "-", "VTK radiance" },
-  NoChannel,
 };
 
 // Least area of a sender over that of a face of the hint's cell. A sender of area A is softened
@@ -67,14 +65,15 @@ std::string vtkIndirectHintFields::GetLookupDefinitions(const Settings& settings
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectHintFields::vtkIndirectHintFields()
-  : Radiosity(RadiosityChannels, false)
-  , DenseKernel("vtkIndirectHintDenseFS.glsl")
-  , SampledKernel("vtkIndirectHintSampledFS.glsl")
-  , CopyKernel("vtkIndirectHintCopyFS.glsl")
-  , RadiosityKernel("vtkIndirectHintRadiosityFS.glsl")
-  , SurfacesKernel("vtkIndirectHintSurfacesFS.glsl")
-  , ExchangeKernel("vtkIndirectHintExchangeFS.glsl")
+vtkIndirectHintFields::vtkIndirectHintFields(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Radiosity(this, RadiosityChannels, false)
+  , DenseKernel(this, "vtkIndirectHintDenseFS.glsl")
+  , SampledKernel(this, "vtkIndirectHintSampledFS.glsl")
+  , CopyKernel(this, "vtkIndirectHintCopyFS.glsl")
+  , RadiosityKernel(this, "vtkIndirectHintRadiosityFS.glsl")
+  , SurfacesKernel(this, "vtkIndirectHintSurfacesFS.glsl")
+  , ExchangeKernel(this, "vtkIndirectHintExchangeFS.glsl")
 {
 }
 
@@ -88,12 +87,8 @@ bool vtkIndirectHintFields::Resize(const Input& input, const Settings& settings,
   {
     for (auto& field : this->Fields)
     {
-      if (field)
-      {
-        field->Release(window);
-      }
       field = std::make_unique<vtkIndirectTarget>(
-        settings.Layout == 2 ? SevenFields : ThreeFields, false);
+        this, settings.Layout == 2 ? SevenFields : ThreeFields, false);
     }
     this->Layout = settings.Layout;
   }
@@ -150,7 +145,7 @@ bool vtkIndirectHintFields::Inject(
   vtkIndirectFullScreenProgram& kernel = list ? this->DenseKernel : this->SampledKernel;
   kernel.SetDefinitions(GetDefinitions(this->Layout, settings.Visibility, grid.GetNumberOfGrids()) +
     (list ? input.Lights->GetDefinitions() : ""));
-  vtkShaderProgram* program = kernel.Use(frame.Window);
+  vtkIndirectProgram program = kernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -190,16 +185,6 @@ bool vtkIndirectHintFields::Inject(
   vtkIndirectSetUniform(
     program, "vtkiSceneToClip", glm::mat4(frame.Projection * unscale * sceneToView));
   kernel.Draw();
-  input.Geometry.GetTarget().Deactivate();
-  if (list)
-  {
-    input.Lights->Deactivate();
-  }
-  else
-  {
-    input.Maps.Deactivate();
-  }
-  grid.Deactivate();
   this->Fields[0]->End();
   return true;
 }
@@ -214,7 +199,7 @@ bool vtkIndirectHintFields::Reflect(
   {
     return false;
   }
-  vtkShaderProgram* program = this->RadiosityKernel.Use(window);
+  vtkIndirectProgram program = this->RadiosityKernel.Use(window);
   if (!program)
   {
     return false;
@@ -224,7 +209,6 @@ bool vtkIndirectHintFields::Reflect(
   grid.ActivateSurfels(window, program);
   program->SetUniform4f("vtkiMeanAlbedo", albedo);
   this->RadiosityKernel.Draw();
-  this->Deactivate(input, grid);
   this->Radiosity.End();
   return true;
 }
@@ -246,7 +230,7 @@ bool vtkIndirectHintFields::Bounce(
   // L^k = L^1 + T L^(k-1)
   const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
   this->CopyKernel.SetDefinitions(GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
-  vtkShaderProgram* program = this->CopyKernel.Use(window);
+  vtkIndirectProgram program = this->CopyKernel.Use(window);
   if (!program)
   {
     return false;
@@ -254,7 +238,6 @@ bool vtkIndirectHintFields::Bounce(
   this->Fields[next]->Begin();
   this->ActivateField(0, program);
   this->CopyKernel.Draw();
-  this->Deactivate(input, grid);
 
   vtkIndirectFullScreenProgram& kernel =
     settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
@@ -293,18 +276,13 @@ bool vtkIndirectHintFields::Bounce(
   }
   kernel.Draw();
   state->vtkglDisable(GL_BLEND);
-  this->Deactivate(input, grid);
-  if (!settings.FromHints)
-  {
-    this->Radiosity.Deactivate();
-  }
   this->Fields[next]->End();
   this->Current = next;
   return true;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintFields::ActivateField(int field, vtkShaderProgram* program)
+void vtkIndirectHintFields::ActivateField(int field, const vtkIndirectProgram& program)
 {
   for (int i = 0; i <= (this->Layout == 2 ? 7 : 3); ++i)
   {
@@ -314,7 +292,7 @@ void vtkIndirectHintFields::ActivateField(int field, vtkShaderProgram* program)
 
 //------------------------------------------------------------------------------
 void vtkIndirectHintFields::ActivateLookup(const Input& input, const Settings& settings,
-  vtkIndirectHintGrid& grid, vtkShaderProgram* program)
+  vtkIndirectHintGrid& grid, const vtkIndirectProgram& program)
 {
   grid.Activate(input.Frame.Window, program);
   this->ActivateField(this->Current, program);
@@ -322,20 +300,6 @@ void vtkIndirectHintFields::ActivateLookup(const Input& input, const Settings& s
   {
     input.Visibility.GetVolume().Activate(input.Frame.Window, program);
     grid.ActivateMasks(input.Frame.Window, program);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintFields::Deactivate(const Input& input, vtkIndirectHintGrid& grid)
-{
-  grid.Deactivate();
-  input.Visibility.GetVolume().Deactivate();
-  for (const auto& field : this->Fields)
-  {
-    if (field && field->GetWidth() > 0)
-    {
-      field->Deactivate();
-    }
   }
 }
 
@@ -351,33 +315,4 @@ std::vector<std::vector<float>> vtkIndirectHintFields::ReadBack() const
     }
   }
   return channels;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectHintFields::GetBytes() const
-{
-  size_t bytes = this->Radiosity.GetBytes();
-  for (const auto& field : this->Fields)
-  {
-    bytes += field ? field->GetBytes() : 0;
-  }
-  return bytes;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintFields::Release(vtkWindow* window)
-{
-  for (auto& field : this->Fields)
-  {
-    if (field)
-    {
-      field->Release(window);
-    }
-  }
-  this->Radiosity.Release(window);
-  for (vtkIndirectFullScreenProgram* kernel : { &this->DenseKernel, &this->SampledKernel,
-         &this->CopyKernel, &this->RadiosityKernel, &this->SurfacesKernel, &this->ExchangeKernel })
-  {
-    kernel->Release();
-  }
 }

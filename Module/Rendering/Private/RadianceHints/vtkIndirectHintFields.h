@@ -5,6 +5,7 @@
 
 #include "Frame/vtkIndirectEstimate.h"            // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h"  // for members
+#include "OpenGL/vtkIndirectResource.h"           // for the base class
 #include "OpenGL/vtkIndirectTarget.h"             // for members
 #include "RadianceHints/vtkIndirectHintDetails.h" // for settings
 
@@ -13,7 +14,7 @@
 
 class vtkIndirectHintGrid;
 
-class vtkIndirectHintFields
+class vtkIndirectHintFields : public vtkIndirectResource
 {
 public:
   using Input = vtkIndirectEstimateInput;
@@ -27,8 +28,8 @@ public:
     bool DepthOcclusion = false;
   };
 
-  vtkIndirectHintFields();
-  ~vtkIndirectHintFields();
+  explicit vtkIndirectHintFields(vtkIndirectResource* owner);
+  ~vtkIndirectHintFields() override;
 
   /** Computes the fields of all active hints. Returns false, after an error, if it cannot. */
   bool Fill(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid);
@@ -36,17 +37,13 @@ public:
   /** Definitions for a stage with vtkIndirectHintLookup.glsl, which must be rebuilt if they
    * change. */
   static std::string GetLookupDefinitions(const Settings& settings, int grids);
-  /** Binds the stage's textures; pair with Deactivate. */
+  /** Binds the stage's textures. */
   void ActivateLookup(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid,
-    vtkShaderProgram* program);
-  void Deactivate(const Input& input, vtkIndirectHintGrid& grid);
+    const vtkIndirectProgram& program);
 
   /** Textures of the current field, four floats a hint; empty before the first Fill. */
   std::vector<std::vector<float>> ReadBack() const;
   int GetLayout() const { return this->Layout; }
-
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
 
 private:
   bool Resize(const Input& input, const Settings& settings, int rows);
@@ -54,7 +51,7 @@ private:
   bool Reflect(
     const Input& input, const Settings& settings, vtkIndirectHintGrid& grid, const float albedo[4]);
   bool Bounce(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid);
-  void ActivateField(int field, vtkShaderProgram* program);
+  void ActivateField(int field, const vtkIndirectProgram& program);
 
   // The first bounce, all bounces, and the previous sum while bounces go from hint to hint.
   std::unique_ptr<vtkIndirectTarget> Fields[3];

@@ -27,7 +27,11 @@ int Fold(const glm::ivec3& at, const glm::ivec3& size)
 }
 }
 
-vtkIndirectHintGrid::vtkIndirectHintGrid() = default;
+vtkIndirectHintGrid::vtkIndirectHintGrid(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+{
+}
+
 vtkIndirectHintGrid::~vtkIndirectHintGrid() = default;
 
 //------------------------------------------------------------------------------

@@ -13,8 +13,8 @@
 
 #include "OpenGL/vtkIndirectDataTexture.h" // for members
 #include "OpenGL/vtkIndirectKernels.h"     // for the row length
+#include "OpenGL/vtkIndirectResource.h"    // for the base class
 
-#include <array>       // for tables
 #include <glm/glm.hpp> // for vectors
 #include <string>      // for reasons
 #include <vector>      // for tables
@@ -22,10 +22,8 @@
 class vtkIndirectOccupancyVolume;
 class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectHintGrid
+class vtkIndirectHintGrid : public vtkIndirectResource
 {
 public:
   static constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
@@ -68,8 +66,8 @@ public:
     float Depth; // greatest depth of the surface behind its plane, scene units
   };
 
-  vtkIndirectHintGrid();
-  ~vtkIndirectHintGrid();
+  explicit vtkIndirectHintGrid(vtkIndirectResource* owner = nullptr);
+  ~vtkIndirectHintGrid() override;
 
   ///@{
   /**
@@ -105,19 +103,16 @@ public:
   static glm::dvec4 GetDirection(int ray, int edge);
 
   ///@{
-  /** Bind the tables for vtkIndirectHintPlaces.glsl and its users; one Deactivate for all. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void ActivateMasks(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShaderProgram* program);
-  void Deactivate() const;
+  /** Bind the tables for vtkIndirectHintPlaces.glsl and its users. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
+  void ActivateMasks(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
+  void ActivateRays(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
+  void ActivateAlbedo(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
+  void ActivateSurfels(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program);
   ///@}
   int GetNumberOfGrids() const { return static_cast<int>(this->Current.Regions.size()); }
 
-  size_t GetBytes() const;
   size_t GetMainMemoryBytes() const;
-  void Release(vtkWindow* window);
 
 private:
   enum Table
@@ -138,8 +133,8 @@ private:
   void FindPlanes();
   void FindHits(const vtkIndirectSurfaces& surfaces);
   // Binds a table's texture, which it makes if there is none.
-  void Bind(
-    Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform);
+  void Bind(Table table, vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program,
+    const char* uniform);
   void Make(Table table, vtkOpenGLRenderWindow* window);
   // Edge of the octahedral map of at least this many rays, an even number.
   static int FindRayEdge(int rays);
@@ -158,7 +153,9 @@ private:
   int NumberOfActive = 0;
   int RayEdge = 0;
   int RayRowLength = 0; // texels in a row of the table of rays
-  std::array<vtkIndirectDataTexture, NumberOfTables> Textures; // each made when it is first bound
+  // Each is made when it is first bound.
+  vtkIndirectDataTexture Textures[NumberOfTables]{ { this }, { this }, { this }, { this }, { this },
+    { this }, { this }, { this } };
 };
 
 #endif

@@ -7,7 +7,6 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 
 namespace
@@ -18,33 +17,8 @@ constexpr int LeastRayRowLength = 1024;
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectHintGrid::GetBytes() const
-{
-  return std::accumulate(this->Textures.begin(), this->Textures.end(), size_t(0),
-    [](size_t sum, const vtkIndirectDataTexture& texture) { return sum + texture.GetBytes(); });
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Release(vtkWindow* window)
-{
-  for (vtkIndirectDataTexture& texture : this->Textures)
-  {
-    texture.Release(window);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Deactivate() const
-{
-  for (const vtkIndirectDataTexture& texture : this->Textures)
-  {
-    texture.Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Bind(
-  Table table, vtkOpenGLRenderWindow* window, vtkShaderProgram* program, const char* uniform)
+void vtkIndirectHintGrid::Bind(Table table, vtkOpenGLRenderWindow* window,
+  const vtkIndirectProgram& program, const char* uniform)
 {
   if (this->Textures[table].IsEmpty())
   {
@@ -100,7 +74,7 @@ void vtkIndirectHintGrid::Make(Table table, vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   this->Bind(HintTable, window, program, "vtkiHints");
   for (int grid = 0; grid < this->GetNumberOfGrids(); ++grid)
@@ -125,13 +99,15 @@ void vtkIndirectHintGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgr
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::ActivateMasks(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::ActivateMasks(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   this->Bind(MaskTable, window, program, "vtkiMasks");
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::ActivateRays(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   this->Bind(RayTable, window, program, "vtkiRays");
   this->Bind(DirectionTable, window, program, "vtkiDirections");
@@ -140,13 +116,15 @@ void vtkIndirectHintGrid::ActivateRays(vtkOpenGLRenderWindow* window, vtkShaderP
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::ActivateAlbedo(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::ActivateAlbedo(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   this->Bind(AlbedoTable, window, program, "vtkiHintAlbedo");
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectHintGrid::ActivateSurfels(vtkOpenGLRenderWindow* window, vtkShaderProgram* program)
+void vtkIndirectHintGrid::ActivateSurfels(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program)
 {
   const char* const names[] = { "vtkiSurfelPosition", "vtkiSurfelNormal", "vtkiSurfelAlbedo" };
   for (int i = 0; i < 3; ++i)

@@ -52,29 +52,25 @@ bool vtkIndirectHintSenders::Update(const Input& input)
       "Hints cannot read " << count << " blocks of the lights' maps; use fewer lights.");
     return false;
   }
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   if (!this->Resize(window, count))
   {
     return false;
   }
   vtkIndirectTarget& table = this->BeginChange();
-  vtkShaderProgram* program = count > 0 ? this->Program.Use(window) : nullptr;
+  vtkIndirectProgram program = count > 0 ? this->Program.Use(window) : nullptr;
   if (count > 0 && !program)
   {
     return false;
   }
   if (program)
   {
-    table.Begin();
     vtkIndirectFullScreenState fullScreen(window);
+    table.Begin();
     maps.Activate(program);
     program->SetUniformi("vtkiBlocks", this->BlocksPerEdge);
     program->SetUniformi("vtkiReads", ReadsPerBlockEdge);
     program->SetUniformi("vtkiLightCount", count);
     this->Program.Draw();
-    maps.Deactivate();
     table.End();
   }
   this->MapTime = maps.GetContentTime();
@@ -85,7 +81,7 @@ bool vtkIndirectHintSenders::Update(const Input& input)
 //------------------------------------------------------------------------------
 void vtkIndirectHintSenders::ReleaseOwn(vtkWindow* window)
 {
+  this->vtkIndirectSampler::ReleaseOwn(window);
   this->ViewPattern->ReleaseGraphicsResources(window);
-  this->Program.Release();
   this->MapTime = 0;
 }

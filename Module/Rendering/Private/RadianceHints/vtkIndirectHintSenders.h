@@ -30,7 +30,7 @@ private:
   vtkObject* Caller;
   int BlocksPerEdge = 24;
   vtkNew<vtkUniformLightSampler> ViewPattern;
-  vtkIndirectFullScreenProgram Program{ "vtkIndirectHintSendersFS.glsl" };
+  vtkIndirectFullScreenProgram Program{ this, "vtkIndirectHintSendersFS.glsl" };
   // Inputs of the current lights.
   vtkMTimeType MapTime = 0;
   int Blocks = 0;

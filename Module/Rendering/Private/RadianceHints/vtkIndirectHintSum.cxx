@@ -21,16 +21,13 @@
 
 namespace
 {
-const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
-const vtkIndirectChannel IrradianceChannels[] = {
+const vtkIndirectChannels IrradianceChannels = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed",
     GL_RGBA32F, "-", "VTK irradiance" },
-  NoChannel,
 };
-const vtkIndirectChannel CoarseChannels[] = {
+const vtkIndirectChannels CoarseChannels = {
   { "hints.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel, kind of cell",
     GL_RGBA32F, "-", "VTK irradiance" },
-  NoChannel,
 };
 }
 
@@ -38,11 +35,11 @@ const vtkIndirectChannel CoarseChannels[] = {
 vtkIndirectHintSum::vtkIndirectHintSum(vtkRadianceHintsPass& pass)
   : vtkIndirectSum(pass)
   , Set(pass)
-  , Coarse{ vtkIndirectReceiverGrid(CoarseChannels), vtkIndirectReceiverGrid(CoarseChannels) }
+  , Coarse{ { this, CoarseChannels }, { this, CoarseChannels } }
   , Senders(std::make_shared<vtkIndirectHintSenders>(&pass))
 {
   // With depth, which marks the pixels that interpolation has left.
-  this->Irradiance = std::make_unique<vtkIndirectTarget>(IrradianceChannels, true, 16);
+  this->Irradiance = std::make_unique<vtkIndirectTarget>(this, IrradianceChannels, true, 16);
 }
 
 //------------------------------------------------------------------------------
@@ -93,19 +90,12 @@ std::string vtkIndirectHintSum::GetLookupDefinitions(int step) const
 
 //------------------------------------------------------------------------------
 // Binds receivers and hints.
-void vtkIndirectHintSum::ActivateLookup(vtkShaderProgram* program, const Input& input)
+void vtkIndirectHintSum::ActivateLookup(const vtkIndirectProgram& program, const Input& input)
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
   input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
   this->Fields.ActivateLookup(input, this->FieldSettings, this->Grid, program);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHintSum::DeactivateLookup(const Input& input)
-{
-  input.Geometry.GetTarget().Deactivate();
-  this->Fields.Deactivate(input, this->Grid);
 }
 
 //------------------------------------------------------------------------------
@@ -117,14 +107,6 @@ double vtkIndirectHintSum::FindErrorTolerance(double asked) const
     return 0.0;
   }
   return asked > 0.0 ? std::clamp(asked, 0.002, 1.0) : 0.05;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectHintSum::GetBytes() const
-{
-  const size_t bytes = this->vtkIndirectSum::GetBytes() + this->Grid.GetBytes() +
-    this->Fields.GetBytes() + this->Coarse[0].GetBytes() + this->Coarse[1].GetBytes();
-  return bytes;
 }
 
 //------------------------------------------------------------------------------
@@ -158,11 +140,6 @@ vtkIndirectVisibilityNeeds vtkIndirectHintSum::GetVisibilityNeeds(const vtkIndir
 vtkIndirectEstimate vtkIndirectHintSum::Estimate(const Input& input)
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkIndirectFullScreenState fullScreenState(window);
 
   if (!input.Lights)
@@ -293,7 +270,7 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
   this->Converged = !mix;
   const std::string definitions = this->GetLookupDefinitions(step);
   this->LookUpKernel.SetDefinitions(definitions + (mix ? "#define VTKI_KEEP\n" : ""));
-  vtkShaderProgram* program = this->LookUpKernel.Use(frame.Window);
+  vtkIndirectProgram program = this->LookUpKernel.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -308,11 +285,6 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
     this->Coarse[this->CoarseNow].Activate(0, program, "vtkiLast");
   }
   this->LookUpKernel.Draw();
-  if (mix)
-  {
-    this->Coarse[this->CoarseNow].Deactivate();
-  }
-  this->DeactivateLookup(input);
   this->Coarse[next].End();
   timer.End(vtkIndirectStageTimer::Estimate);
   this->CoarseNow = next;
@@ -351,7 +323,7 @@ bool vtkIndirectHintSum::FillMixedCells(const Input& input)
   {
     // The second draws the pixels that the first has discarded: where depth is still that of the
     // clear.
-    vtkShaderProgram* program = points->Use(frame.Window, definitions);
+    vtkIndirectProgram program = points->Use(frame.Window, definitions);
     drawn = program != nullptr;
     if (!drawn)
     {
@@ -360,8 +332,6 @@ bool vtkIndirectHintSum::FillMixedCells(const Input& input)
     this->ActivateLookup(program, input);
     coarse.ActivateAll(program);
     points->Draw(cells, step);
-    coarse.Deactivate();
-    this->DeactivateLookup(input);
   }
   state->vtkglDisable(GL_DEPTH_TEST);
   this->Irradiance->End();
@@ -438,15 +408,8 @@ std::vector<vtkIndirectHintSum::Hint> vtkIndirectHintSum::ReadHints()
 void vtkIndirectHintSum::ReleaseOwn(vtkWindow* window)
 {
   // Voxels of another pass have the same numbers.
-  this->Grid.Release(window);
   this->Grid.Clear();
-  this->Fields.Release(window);
   this->LightKey.Clear();
-  this->Coarse[0].Release(window);
-  this->Coarse[1].Release(window);
   this->CoarseValid = false;
   this->Senders->Release(window);
-  this->LookUpKernel.Release();
-  this->MixedCells.Release();
-  this->Pixels.Release();
 }

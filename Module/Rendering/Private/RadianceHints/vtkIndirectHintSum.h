@@ -9,7 +9,6 @@
 #include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"  // for members
 #include "OpenGL/vtkIndirectPointProgram.h"       // for members
-#include "RadianceHints/vtkIndirectHintDetails.h" // for members
 #include "RadianceHints/vtkIndirectHintFields.h"  // for members
 #include "RadianceHints/vtkIndirectHintGrid.h"    // for members
 #include "RadianceHints/vtkIndirectHintSenders.h" // for members
@@ -25,7 +24,6 @@ public:
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
     const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
-  size_t GetBytes() const override;
   size_t GetMainMemoryBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
@@ -42,7 +40,7 @@ public:
   };
   std::vector<Hint> ReadHints();
 
-  vtkIndirectHintGrid Grid;
+  vtkIndirectHintGrid Grid{ this };
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
@@ -56,21 +54,22 @@ private:
   bool LookUp(const Input& input);
   bool FillMixedCells(const Input& input);
   std::string GetLookupDefinitions(int step) const;
-  void ActivateLookup(vtkShaderProgram* program, const Input& input);
-  void DeactivateLookup(const Input& input);
+  void ActivateLookup(const vtkIndirectProgram& program, const Input& input);
 
   vtkRadianceHintsPass& Set;
   vtkIndirectHintGrid::Settings GridSettings;
-  vtkIndirectHintFields Fields;
+  vtkIndirectHintFields Fields{ this };
   vtkIndirectHintFields::Settings FieldSettings; // of the last frame
   vtkIndirectReceiverGrid Coarse[2];
   int CoarseNow = 0;
   bool CoarseValid = false;
   int StillFrames = 0;   // since something changed
   bool Converged = true; // the last look-up kept nothing of those before it
-  vtkIndirectFullScreenProgram LookUpKernel{ "vtkIndirectHintFS.glsl" };
-  vtkIndirectPointProgram MixedCells{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintMixedFS.glsl" };
-  vtkIndirectPointProgram Pixels{ "vtkIndirectHintCellVS.glsl", "vtkIndirectHintPixelFS.glsl" };
+  vtkIndirectFullScreenProgram LookUpKernel{ this, "vtkIndirectHintFS.glsl" };
+  vtkIndirectPointProgram MixedCells{ this, "vtkIndirectHintCellVS.glsl",
+    "vtkIndirectHintMixedFS.glsl" };
+  vtkIndirectPointProgram Pixels{ this, "vtkIndirectHintCellVS.glsl",
+    "vtkIndirectHintPixelFS.glsl" };
   const std::shared_ptr<vtkIndirectHintSenders> Senders;
   vtkIndirectKey LightKey;
   bool NothingReflects = false;  // bounces after the first have no surface

@@ -20,12 +20,11 @@ namespace
 {
 constexpr int RowLength = vtkIndirectSampler::RowLength;
 
-const vtkIndirectChannel CoarseChannels[] = {
+const vtkIndirectChannels CoarseChannels = {
   { "splats.far", "vtkiCoarse", "irradiance that splats cut off, luminance of all of it",
     GL_RGBA32F, "-", "VTK irradiance" },
   { "splats.vector", "vtkiCoarseVector", "luminance of the vector irradiance that splats cut off",
     GL_RGBA32F, "scene", "VTK irradiance" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 std::string GetDefinitions(
@@ -42,8 +41,9 @@ std::string GetDefinitions(
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectFarField::vtkIndirectFarField()
-  : Coarse(CoarseChannels)
+vtkIndirectFarField::vtkIndirectFarField(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Coarse(this, CoarseChannels)
 {
 }
 
@@ -61,7 +61,7 @@ bool vtkIndirectFarField::Sum(
   const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
   const bool adds = rows > rowsPerDraw;
   this->SumCoarse.SetDefinitions(GetDefinitions(input, table, step));
-  vtkShaderProgram* program = this->SumCoarse.Use(frame.Window);
+  vtkIndirectProgram program = this->SumCoarse.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -83,7 +83,6 @@ bool vtkIndirectFarField::Sum(
     program->SetUniform2i("vtkiLightRows", block);
     this->SumCoarse.Draw();
   }
-  table.Deactivate(input);
   state->vtkglDisable(GL_BLEND);
   this->Coarse.End();
   return true;
@@ -95,7 +94,7 @@ bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
 {
   const vtkIndirectFrame& frame = input.Frame;
   this->Interpolate.SetDefinitions(GetDefinitions(input, table, step));
-  vtkShaderProgram* program = this->Interpolate.Use(frame.Window);
+  vtkIndirectProgram program = this->Interpolate.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -108,8 +107,6 @@ bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
   table.Activate(input, program);
   this->Coarse.ActivateAll(program);
   this->Interpolate.Draw();
-  this->Coarse.Deactivate();
-  table.Deactivate(input);
   state->vtkglDisable(GL_BLEND);
   irradiance.End();
   return true;
@@ -132,20 +129,4 @@ double vtkIndirectFarField::FindShare() const
     this->ShareIsKnown = true;
   }
   return this->Share;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectFarField::ReleaseSum(vtkWindow* window)
-{
-  this->Coarse.Release(window);
-  this->Share = 0.0;
-  this->ShareIsKnown = true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectFarField::Release(vtkWindow* window)
-{
-  this->ReleaseSum(window);
-  this->SumCoarse.Release();
-  this->Interpolate.Release();
 }

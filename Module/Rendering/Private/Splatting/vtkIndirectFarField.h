@@ -7,14 +7,15 @@
 #include "Capture/vtkIndirectReceiverGrid.h"     // for a member
 #include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for targets
 
 class vtkIndirectSplatTable;
 
-class vtkIndirectFarField
+class vtkIndirectFarField : public vtkIndirectResource
 {
 public:
-  vtkIndirectFarField();
+  explicit vtkIndirectFarField(vtkIndirectResource* owner);
 
   /**
    * Sums the far field at every step-th pixel. Within a vtkIndirectFullScreenState. Returns false,
@@ -31,15 +32,17 @@ public:
    */
   double FindShare() const;
 
-  /** Releases the sum's images if no light is cut off. */
-  void ReleaseSum(vtkWindow* window);
-  size_t GetBytes() const { return this->Coarse.GetBytes(); }
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow*) override
+  {
+    this->Share = 0.0;
+    this->ShareIsKnown = true;
+  }
 
 private:
   vtkIndirectReceiverGrid Coarse;
-  vtkIndirectFullScreenProgram SumCoarse{ "vtkIndirectFarFieldFS.glsl" };
-  vtkIndirectFullScreenProgram Interpolate{ "vtkIndirectFarFieldAddFS.glsl" };
+  vtkIndirectFullScreenProgram SumCoarse{ this, "vtkIndirectFarFieldFS.glsl" };
+  vtkIndirectFullScreenProgram Interpolate{ this, "vtkIndirectFarFieldAddFS.glsl" };
   mutable double Share = 0.0;
   mutable bool ShareIsKnown = true;
 };

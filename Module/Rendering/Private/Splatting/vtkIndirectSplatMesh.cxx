@@ -14,7 +14,7 @@ vtkIndirectSplatMesh::~vtkIndirectSplatMesh()
   if (this->Window)
   {
     this->Window->MakeCurrent();
-    this->Release();
+    this->Release(this->Window);
   }
 }
 
@@ -161,7 +161,7 @@ void vtkIndirectSplatMesh::Draw(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSplatMesh::Release()
+void vtkIndirectSplatMesh::ReleaseOwn(vtkWindow*)
 {
   if (this->VertexArray)
   {

@@ -3,15 +3,15 @@
 #ifndef vtkIndirectSplatMesh_h
 #define vtkIndirectSplatMesh_h
 
-#include "vtkOpenGLRenderWindow.h" // for the weak pointer
-#include "vtkWeakPointer.h"        // for the context
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "vtkOpenGLRenderWindow.h"      // for the weak pointer
+#include "vtkWeakPointer.h"             // for the context
 
 #include <array>       // for triangles
-#include <cstddef>     // for size_t
 #include <glm/glm.hpp> // for corners
 #include <vector>      // for lists
 
-class vtkIndirectSplatMesh
+class vtkIndirectSplatMesh : public vtkIndirectResource
 {
 public:
   struct Polyhedron
@@ -27,17 +27,16 @@ public:
    */
   static Polyhedron MakePolyhedron();
 
-  vtkIndirectSplatMesh() = default;
-  ~vtkIndirectSplatMesh();
-  vtkIndirectSplatMesh(const vtkIndirectSplatMesh&) = delete;
-  void operator=(const vtkIndirectSplatMesh&) = delete;
+  using vtkIndirectResource::vtkIndirectResource;
+  ~vtkIndirectSplatMesh() override;
 
   /** Draws this many instances of the polyhedron or of the square from -1 to 1; the corners go to
    * the attribute. */
   void Draw(vtkOpenGLRenderWindow* window, int attribute, bool rectangles, int instances);
 
-  size_t GetBytes() const { return this->Bytes; }
-  void Release();
+protected:
+  size_t GetOwnBytes() const override { return this->Bytes; }
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   void Create(vtkOpenGLRenderWindow* window);

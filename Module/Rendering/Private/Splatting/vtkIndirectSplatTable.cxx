@@ -17,33 +17,31 @@ namespace
 {
 constexpr int RowLength = vtkIndirectSampler::RowLength;
 
-const vtkIndirectChannel ColumnsChannels[] = {
+const vtkIndirectChannels ColumnsChannels = {
   { "splats.columns", "vtkiSplatColumns", "sum of intensities, number of lights", GL_RG32F, "-",
     "VTK radiance times scene units squared over pi, 1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel MeanChannels[] = {
+const vtkIndirectChannels MeanChannels = {
   { "splats.mean", "vtkiSplatMean", "mean intensity, number of lights", GL_RG32F, "-",
     "VTK radiance times scene units squared over pi, 1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 constexpr int ChannelsOfLobes = 2; // the last channels of the table
-const vtkIndirectChannel BoundsChannels[] = {
+const vtkIndirectChannels BoundsChannels = {
   { "splats.center", "vtkiSplatCenter", "centre, half length", GL_RGBA32F, "scene", "scene units" },
   { "splats.axis", "vtkiSplatAxis", "axis, half width", GL_RGBA32F, "scene", "1, scene units" },
   { "splats.lobecenter", "vtkiLobeSplatCenter", "centre, half length of the lobe's", GL_RGBA32F,
     "scene", "scene units" },
   { "splats.lobeaxis", "vtkiLobeSplatAxis", "axis, half width of the lobe's", GL_RGBA32F, "scene",
     "1, scene units" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSplatTable::vtkIndirectSplatTable()
-  : Columns(ColumnsChannels, false)
-  , Mean(MeanChannels, false)
-  , Bounds(BoundsChannels, false)
+vtkIndirectSplatTable::vtkIndirectSplatTable(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Columns(this, ColumnsChannels, false)
+  , Mean(this, MeanChannels, false)
+  , Bounds(this, BoundsChannels, false)
 {
 }
 
@@ -89,7 +87,7 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   this->SumAll.SetDefinitions(definitions + "#define VTKI_SPLAT_COLUMNS\n");
   this->MakeBounds.SetDefinitions(definitions);
 
-  vtkShaderProgram* program = this->SumColumns.Use(window);
+  vtkIndirectProgram program = this->SumColumns.Use(window);
   if (!program)
   {
     return false;
@@ -98,8 +96,6 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   lights.Activate(program);
   lights.ActivateLobes(program);
   this->SumColumns.Draw();
-  lights.DeactivateLobes();
-  lights.Deactivate();
   this->Columns.End();
 
   program = this->SumAll.Use(window);
@@ -110,7 +106,6 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   this->Mean.Begin();
   this->Columns.Activate(0, program);
   this->SumAll.Draw();
-  this->Columns.Deactivate();
   this->Mean.End();
 
   program = this->MakeBounds.Use(window);
@@ -123,9 +118,6 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   lights.ActivateLobes(program);
   this->Activate(program);
   this->MakeBounds.Draw();
-  this->Deactivate();
-  lights.DeactivateLobes();
-  lights.Deactivate();
   this->Bounds.End();
   return true;
 }
@@ -138,7 +130,7 @@ std::string vtkIndirectSplatTable::GetDefinitions(bool lobes) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSplatTable::Activate(vtkShaderProgram* program) const
+void vtkIndirectSplatTable::Activate(const vtkIndirectProgram& program) const
 {
   const double length = vtkIndirectKernels::VTKI_SPLAT_LENGTH;
   program->SetUniformf(
@@ -154,15 +146,8 @@ void vtkIndirectSplatTable::Activate(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSplatTable::Deactivate() const
-{
-  this->Mean.Deactivate();
-  this->Bounds.Deactivate();
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSplatTable::Activate(
-  const vtkIndirectEstimateInput& input, vtkShaderProgram* program) const
+  const vtkIndirectEstimateInput& input, const vtkIndirectProgram& program) const
 {
   vtkIndirectSetEyeUniforms(program, input.Frame);
   program->SetUniform2i("vtkiSize", input.Frame.Size);
@@ -171,32 +156,4 @@ void vtkIndirectSplatTable::Activate(
   input.Lights->Activate(program);
   input.Lights->ActivateLobes(program);
   this->Activate(program);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSplatTable::Deactivate(const vtkIndirectEstimateInput& input) const
-{
-  input.Geometry.GetTarget().Deactivate();
-  input.Visibility.Deactivate();
-  input.Lights->DeactivateLobes();
-  input.Lights->Deactivate();
-  this->Deactivate();
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSplatTable::GetBytes() const
-{
-  return this->Columns.GetBytes() + this->Mean.GetBytes() + this->Bounds.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSplatTable::Release(vtkWindow* window)
-{
-  this->Columns.Release(window);
-  this->Mean.Release(window);
-  this->Bounds.Release(window);
-  this->SumColumns.Release();
-  this->SumAll.Release();
-  this->MakeBounds.Release();
-  this->NumberOfLights = -1;
 }

@@ -6,15 +6,16 @@
 
 #include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "vtkType.h"                             // for the time
 
 #include <string> // for definitions
 
-class vtkIndirectSplatTable
+class vtkIndirectSplatTable : public vtkIndirectResource
 {
 public:
-  vtkIndirectSplatTable();
+  explicit vtkIndirectSplatTable(vtkIndirectResource* owner);
 
   /**
    * Updates the ellipsoids. threshold: IntensityThreshold; fades: there is a far field. Returns
@@ -22,18 +23,12 @@ public:
    */
   bool Update(const vtkIndirectEstimateInput& input, double threshold, bool fades);
 
-  ///@{
-  /** Bind the textures of vtkIndirectSplatLight.glsl and vtkIndirectSplatBounds.glsl; pair. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
-  ///@}
+  /** Binds the textures of vtkIndirectSplatLight.glsl and vtkIndirectSplatBounds.glsl. */
+  void Activate(const vtkIndirectProgram& program) const;
 
-  ///@{
-  /** Bind these and the inputs of a sum at receivers: eye, surfaces, lights and their lobes,
-   * visibility; pair. */
-  void Activate(const vtkIndirectEstimateInput& input, vtkShaderProgram* program) const;
-  void Deactivate(const vtkIndirectEstimateInput& input) const;
-  ///@}
+  /** Binds these and the inputs of a sum at receivers: eye, surfaces, lights and their lobes,
+   * visibility. */
+  void Activate(const vtkIndirectEstimateInput& input, const vtkIndirectProgram& program) const;
 
   /** Definitions for shaders that read the table: lights have lobes, splats fade. */
   std::string GetDefinitions(bool lobes) const;
@@ -41,8 +36,8 @@ public:
   /** Centre and half length, axis and half width; also of lobes if lights have them. */
   const vtkIndirectTarget& GetBounds() const { return this->Bounds; }
 
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow*) override { this->NumberOfLights = -1; }
 
 private:
   bool Draw(const vtkIndirectEstimateInput& input);
@@ -50,9 +45,9 @@ private:
   vtkIndirectTarget Columns;
   vtkIndirectTarget Mean;
   vtkIndirectTarget Bounds;
-  vtkIndirectFullScreenProgram SumColumns{ "vtkIndirectSplatMeanFS.glsl" };
-  vtkIndirectFullScreenProgram SumAll{ "vtkIndirectSplatMeanFS.glsl" };
-  vtkIndirectFullScreenProgram MakeBounds{ "vtkIndirectSplatTableFS.glsl" };
+  vtkIndirectFullScreenProgram SumColumns{ this, "vtkIndirectSplatMeanFS.glsl" };
+  vtkIndirectFullScreenProgram SumAll{ this, "vtkIndirectSplatMeanFS.glsl" };
+  vtkIndirectFullScreenProgram MakeBounds{ this, "vtkIndirectSplatTableFS.glsl" };
   // Inputs of the current table.
   vtkMTimeType ContentTime = 0;
   int NumberOfLights = -1;

@@ -5,18 +5,13 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "OpenGL/vtkIndirectBackEndChoices.h"
-#include "OpenGL/vtkIndirectFlatUniforms.h"
-#include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Splatting/vtkIndirectSplatTable.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <algorithm>
 
@@ -65,7 +60,6 @@ private:
   vtkOpenGLState::ScopedglDepthFunc Func;
   vtkOpenGLState::ScopedglBlendFuncSeparate Blend;
 };
-
 }
 
 //------------------------------------------------------------------------------
@@ -84,29 +78,6 @@ bool vtkIndirectSplats::SumGlossy(const vtkIndirectEstimateInput& input,
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* vtkIndirectSplats::Use(
-  Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions)
-{
-  if (shaders.VertexText.empty() || definitions != shaders.Definitions)
-  {
-    shaders.Definitions = definitions;
-    shaders.VertexText =
-      vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatVS.glsl", definitions);
-    shaders.FragmentText =
-      vtkIndirectShaderLibrary::GetShader("vtkIndirectSplatFS.glsl", definitions);
-    if (vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Uniforms) ==
-      vtkIndirectBackEndChoices::UniformsFlat)
-    {
-      // A splat has few pixels for each triangle: more varyings cost more than they save.
-      vtkIndirectFlatUniforms::Move(shaders.VertexText, shaders.FragmentText, 64);
-    }
-  }
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    shaders.VertexText.c_str(), shaders.FragmentText.c_str(), "");
-  return program && program->GetCompiled() ? program : nullptr;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectSplats::SumBlended(
   const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table, vtkIndirectTarget& sum)
 {
@@ -121,11 +92,11 @@ bool vtkIndirectSplats::SumBlended(
   {
     const SplatState splats(state);
     done = this->Draw(
-      input, table, Use(this->OfLights, window, definitions + table.GetDefinitions(false)));
+      input, table, this->OfLights.Use(window, definitions + table.GetDefinitions(false)));
     if (done && input.Lights->HasLobes())
     {
       done = this->Draw(
-        input, table, Use(this->OfLobes, window, definitions + table.GetDefinitions(true)));
+        input, table, this->OfLobes.Use(window, definitions + table.GetDefinitions(true)));
     }
   }
   sum.End();
@@ -134,7 +105,7 @@ bool vtkIndirectSplats::SumBlended(
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
-  const vtkIndirectSplatTable& table, vtkShaderProgram* program)
+  const vtkIndirectSplatTable& table, const vtkIndirectProgram& program)
 {
   if (!program)
   {
@@ -157,7 +128,6 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
       glFlush();
     }
   }
-  table.Deactivate(input);
   return true;
 }
 
@@ -165,11 +135,10 @@ bool vtkIndirectSplats::Draw(const vtkIndirectEstimateInput& input,
 bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   const vtkIndirectSplatTable& table, vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum)
 {
-#ifdef GL_COMPUTE_SHADER
   const vtkIndirectFrame& frame = input.Frame;
   tiles.SetDefinitions(std::string(input.Visibility.GetDefinitions()) +
     input.Lights->GetDefinitions() + table.GetDefinitions(input.Lights->HasLobes()));
-  vtkShaderProgram* program = tiles.Use(frame.Window);
+  const vtkIndirectProgram program = tiles.Use(frame.Window);
   if (!program)
   {
     return false;
@@ -179,10 +148,6 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
   {
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Specular, program);
   }
-  glBindImageTexture(
-    0, sum.GetTexture(0)->GetHandle(), 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
-  // Waits for the kernel's inputs, which llvmpipe does not do by itself.
-  glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
   const int rows = input.Lights->GetNumberOfRows();
   const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
   for (int row = 0; row < rows; row += rowsPerDraw)
@@ -190,27 +155,8 @@ bool vtkIndirectSplats::SumInTiles(const vtkIndirectEstimateInput& input,
     const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
     program->SetUniform2i("vtkiLightRows", block);
     program->SetUniformi("vtkiAdds", row > 0);
-    glDispatchCompute(static_cast<GLuint>((frame.Size[0] + TileSize - 1) / TileSize),
-      static_cast<GLuint>((frame.Size[1] + TileSize - 1) / TileSize), 1);
-    glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    tiles.AddImages(sum);
+    tiles.Run(frame.Size[0], frame.Size[1], TileSize);
   }
-  // The next user of the image may sample it, draw over it, add to it, read it back or replace it.
-  glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT |
-    GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
-  glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_WRITE, sum.GetInternalFormat(0));
-  table.Deactivate(input);
   return true;
-#else
-  return input.Lights && table.GetBytes() > 0 && sum.GetWidth() > 0;
-#endif
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSplats::Release()
-{
-  this->Mesh.Release();
-  this->Tiles.Release(nullptr);
-  this->GlossyTiles.Release(nullptr);
-  this->OfLights = {};
-  this->OfLobes = {};
 }

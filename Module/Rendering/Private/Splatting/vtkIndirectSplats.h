@@ -6,17 +6,18 @@
 
 #include "Frame/vtkIndirectEstimate.h"        // for the input
 #include "OpenGL/vtkIndirectComputeProgram.h" // for a member
+#include "OpenGL/vtkIndirectPointProgram.h"   // for members
+#include "OpenGL/vtkIndirectResource.h"       // for the base class
 #include "Splatting/vtkIndirectSplatMesh.h"   // for a member
-
-#include <string> // for texts
 
 class vtkIndirectSplatTable;
 class vtkIndirectTarget;
-class vtkShaderProgram;
 
-class vtkIndirectSplats
+class vtkIndirectSplats : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
+
   /**
    * Fills `sum`, of the frame's size and RGBA32F; its fourth component is the number of splats at a
    * pixel. Without tiles the target shares the geometry buffer's depth. Within a
@@ -33,32 +34,22 @@ public:
   bool SumGlossy(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectTarget& glossy);
 
-  size_t GetBytes() const { return this->Mesh.GetBytes(); }
-  void Release();
-
 private:
-  /** Programs for lights, or for their lobes. */
-  struct Shaders
-  {
-    std::string Definitions;
-    std::string VertexText;
-    std::string FragmentText;
-  };
-  static vtkShaderProgram* Use(
-    Shaders& shaders, vtkOpenGLRenderWindow* window, const std::string& definitions);
   bool SumBlended(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectTarget& sum);
   bool Draw(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
-    /** Runs the compute program for blocks of lights. */
-    vtkShaderProgram* program);
+    const vtkIndirectProgram& program);
+  // Runs the compute program for blocks of lights.
   static bool SumInTiles(const vtkIndirectEstimateInput& input, const vtkIndirectSplatTable& table,
     vtkIndirectComputeProgram& tiles, vtkIndirectTarget& sum);
 
-  vtkIndirectSplatMesh Mesh;
-  Shaders OfLights;
-  Shaders OfLobes;
-  vtkIndirectComputeProgram Tiles{ "vtkIndirectSplatTilesCS.glsl" };
-  vtkIndirectComputeProgram GlossyTiles{ "vtkIndirectGlossyTilesCS.glsl" };
+  vtkIndirectSplatMesh Mesh{ this };
+  // A splat has few pixels for each triangle: more varyings cost more than they save.
+  vtkIndirectPointProgram OfLights{ this, "vtkIndirectSplatVS.glsl", "vtkIndirectSplatFS.glsl",
+    64 };
+  vtkIndirectPointProgram OfLobes{ this, "vtkIndirectSplatVS.glsl", "vtkIndirectSplatFS.glsl", 64 };
+  vtkIndirectComputeProgram Tiles{ this, "vtkIndirectSplatTilesCS.glsl" };
+  vtkIndirectComputeProgram GlossyTiles{ this, "vtkIndirectGlossyTilesCS.glsl" };
 };
 
 #endif

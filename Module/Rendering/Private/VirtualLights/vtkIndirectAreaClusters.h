@@ -12,8 +12,7 @@
 
 #include "VirtualLights/vtkIndirectRectangle.h" // for places
 
-#include <cstddef> // for size_t
-#include <vector>  // for lists
+#include <vector> // for lists
 
 class vtkIndirectAreaClusters
 {

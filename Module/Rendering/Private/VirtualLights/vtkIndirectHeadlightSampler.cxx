@@ -15,51 +15,30 @@ bool vtkIndirectHeadlightSampler::Update(const Input& input)
   view.Size[0] = frame.Size[0];
   view.Size[1] = frame.Size[1];
   this->Texture.Update(frame.Window, *this->Pattern, { view });
-
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkIndirectFullScreenState fullScreen(frame.Window);
   if (!this->Resize(frame.Window, this->Texture.GetNumberOfSamples()))
   {
     return false;
   }
   vtkIndirectTarget& table = this->BeginChange();
   this->Program.SetDefinitions(input.Geometry.GetAlbedoDefinitions());
-  vtkShaderProgram* program = this->Program.Use(frame.Window);
+  vtkIndirectProgram program = this->Program.Use(frame.Window);
   if (!program)
   {
     return false;
   }
   table.Begin();
-  {
-    vtkIndirectFullScreenState fullScreen(frame.Window);
-    const vtkIndirectLight& light = frame.Lights.front();
-    this->Texture.Activate(program);
-    input.Geometry.ActivateAlbedo(program);
-    input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-    vtkIndirectSetEyeUniforms(program, frame);
-    vtkIndirectSetUniform(program, "vtkiSize", glm::vec2(frame.Size[0], frame.Size[1]));
-    vtkIndirectSetUniform(program, "vtkiLightColor", glm::vec3(light.Color));
-    vtkIndirectSetUniform(program, "vtkiToLight",
-      glm::vec3(-glm::normalize(glm::dmat3(frame.WorldToView) * light.DirectionWC)));
-    program->SetUniformi("vtkiParallel", frame.Parallel ? 1 : 0);
-    this->Program.Draw();
-    input.Geometry.GetTarget().Deactivate();
-    this->Texture.Deactivate();
-  }
+  const vtkIndirectLight& light = frame.Lights.front();
+  this->Texture.Activate(program);
+  input.Geometry.ActivateAlbedo(program);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  vtkIndirectSetEyeUniforms(program, frame);
+  vtkIndirectSetUniform(program, "vtkiSize", glm::vec2(frame.Size[0], frame.Size[1]));
+  vtkIndirectSetUniform(program, "vtkiLightColor", glm::vec3(light.Color));
+  vtkIndirectSetUniform(program, "vtkiToLight",
+    glm::vec3(-glm::normalize(glm::dmat3(frame.WorldToView) * light.DirectionWC)));
+  program->SetUniformi("vtkiParallel", frame.Parallel ? 1 : 0);
+  this->Program.Draw();
   table.End();
   return true;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectHeadlightSampler::GetBytes() const
-{
-  return this->vtkIndirectSampler::GetBytes() + this->Texture.GetBytes();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectHeadlightSampler::ReleaseOwn(vtkWindow* window)
-{
-  this->Texture.Release(window);
-  this->Program.Release();
 }

@@ -15,15 +15,11 @@ public:
   void SetPattern(vtkIndirectMapSampler* pattern) { this->Pattern = pattern; }
 
   bool Update(const Input& input) override;
-  size_t GetBytes() const override;
-
-protected:
-  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   vtkIndirectMapSampler* Pattern = nullptr;
-  vtkIndirectPatternTexture Texture;
-  vtkIndirectFullScreenProgram Program{ "vtkIndirectCameraLightFS.glsl" };
+  vtkIndirectPatternTexture Texture{ this };
+  vtkIndirectFullScreenProgram Program{ this, "vtkIndirectCameraLightFS.glsl" };
 };
 
 #endif

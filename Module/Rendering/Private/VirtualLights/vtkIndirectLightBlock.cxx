@@ -17,16 +17,6 @@ namespace
 {
 constexpr int Channels = 3;
 constexpr int BytesPerTexel = 16;
-constexpr unsigned int Binding = 0;
-}
-
-vtkIndirectLightBlock::~vtkIndirectLightBlock()
-{
-  if (this->Window)
-  {
-    this->Window->MakeCurrent();
-    this->Release();
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -66,14 +56,9 @@ void vtkIndirectLightBlock::Update(
   this->Lights = &lights;
   this->First = first;
   this->Count = count;
-  if (this->Buffer == 0)
+  if (this->Block.GetBytes() == 0)
   {
-    this->Window = window;
-    glGenBuffers(1, &this->Buffer);
-    this->Bytes = static_cast<size_t>(capacity) * Channels * BytesPerTexel;
-    glBindBuffer(GL_UNIFORM_BUFFER, this->Buffer);
-    glBufferData(GL_UNIFORM_BUFFER, this->Bytes, nullptr, GL_DYNAMIC_COPY);
-    glBindBuffer(GL_UNIFORM_BUFFER, 0);
+    this->Block.Update(window, nullptr, static_cast<size_t>(capacity) * Channels * BytesPerTexel);
   }
   constexpr int width = vtkIndirectSampler::RowLength;
   const vtkIndirectTarget& table = lights.GetTable();
@@ -81,7 +66,7 @@ void vtkIndirectLightBlock::Update(
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   table.GetFramebuffer()->Bind();
-  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->Buffer);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, this->Block.GetBuffer());
   for (int channel = 0; channel < Channels; ++channel)
   {
     table.GetFramebuffer()->ActivateReadBuffer(static_cast<unsigned int>(channel));
@@ -93,33 +78,11 @@ void vtkIndirectLightBlock::Update(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLightBlock::Activate(vtkShaderProgram* program) const
+void vtkIndirectLightBlock::Activate(const vtkIndirectProgram& program) const
 {
-  const auto handle = static_cast<GLuint>(program->GetHandle());
-  const GLuint index = glGetUniformBlockIndex(handle, "vtkiLightBlock");
-  glUniformBlockBinding(handle, index, Binding);
-  glBindBufferBase(GL_UNIFORM_BUFFER, Binding, this->Buffer);
+  this->Block.Activate(program);
   this->Lights->Activate(program);
   program->SetUniformi("vtkiFirstLight", this->First);
   program->SetUniformi("vtkiLightCount", this->Count);
   program->SetUniformi("vtkiBlockCount", std::min(this->Count, this->Capacity));
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectLightBlock::Deactivate() const
-{
-  this->Lights->Deactivate();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectLightBlock::Release()
-{
-  if (this->Buffer)
-  {
-    glDeleteBuffers(1, &this->Buffer);
-    this->Buffer = 0;
-  }
-  this->Window = nullptr;
-  this->Bytes = 0;
-  this->Capacity = 0;
 }

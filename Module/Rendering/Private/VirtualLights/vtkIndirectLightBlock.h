@@ -4,19 +4,17 @@
 #ifndef vtkIndirectLightBlock_h
 #define vtkIndirectLightBlock_h
 
-#include "vtkWeakPointer.h" // for the window
+#include "OpenGL/vtkIndirectUniformBlock.h" // for a member
 
-#include <cstddef> // for size_t
-#include <string>  // for definitions
+#include <string> // for definitions
 
 class vtkIndirectVirtualLights;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
 
-class vtkIndirectLightBlock
+class vtkIndirectLightBlock : public vtkIndirectResource
 {
 public:
-  ~vtkIndirectLightBlock();
+  using vtkIndirectResource::vtkIndirectResource;
 
   /**
    * Returns the largest number of lights of the block: 256 to 1024, as the context's uniform blocks
@@ -35,22 +33,18 @@ public:
   void Update(
     vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights, int first, int count);
   int GetNumberOfLights() const { return this->Count; }
-  /** Bind the block, and the table with the lights beyond its capacity; pair. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
+  /** Binds the block, and the table with the lights beyond its capacity. */
+  void Activate(const vtkIndirectProgram& program) const;
 
-  size_t GetBytes() const { return this->Bytes; }
-  /** Releases the buffer; its context must be current. */
-  void Release();
+protected:
+  void ReleaseOwn(vtkWindow*) override { this->Capacity = 0; }
 
 private:
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;     // window of the buffer
   const vtkIndirectVirtualLights* Lights = nullptr; // lights of the last Update
   int First = 0;
   int Count = 0;
   int Capacity = 0;
-  unsigned int Buffer = 0;
-  size_t Bytes = 0;
+  vtkIndirectUniformBlock Block{ this, "vtkiLightBlock" };
 };
 
 #endif

@@ -6,7 +6,7 @@
 
 #include "OpenGL/vtkIndirectChannel.h"
 
-extern const vtkIndirectChannel vtkIndirectLightTable[];
-extern const vtkIndirectChannel vtkIndirectSenderLobeTable[];
+extern const vtkIndirectChannels vtkIndirectLightTable;
+extern const vtkIndirectChannels vtkIndirectSenderLobeTable;
 
 #endif

@@ -63,29 +63,25 @@ std::vector<Source> MakeSources(const vtkIndirectLightMaps& maps, const Drawing&
 }
 
 //------------------------------------------------------------------------------
-struct vtkIndirectMapSampler::Internals
+struct vtkIndirectMapSampler::Internals : vtkIndirectResource
 {
-  vtkIndirectPatternTexture Pattern;
-  vtkIndirectSampleWarp Warp;
-  vtkIndirectFullScreenProgram Program{ "vtkIndirectVirtualLightFS.glsl" };
-  vtkIndirectFullScreenProgram LobeProgram{ "vtkIndirectVirtualLobeFS.glsl" };
+  using vtkIndirectResource::vtkIndirectResource;
+  void ReleaseOwn(vtkWindow*) override { this->MapTime = 0; }
+
+  vtkIndirectPatternTexture Pattern{ this };
+  vtkIndirectSampleWarp Warp{ this };
+  vtkIndirectFullScreenProgram Program{ this, "vtkIndirectVirtualLightFS.glsl" };
+  vtkIndirectFullScreenProgram LobeProgram{ this, "vtkIndirectVirtualLobeFS.glsl" };
   vtkMTimeType MapTime = 0; // time of the maps that the lights were made from
 };
 
 vtkIndirectMapSampler::vtkIndirectMapSampler(vtkVirtualLightSampler* owner)
   : vtkIndirectSampler(owner)
-  , Internal(new Internals)
+  , Internal(new Internals(this))
 {
 }
 
 vtkIndirectMapSampler::~vtkIndirectMapSampler() = default;
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectMapSampler::GetBytes() const
-{
-  return this->vtkIndirectSampler::GetBytes() + this->Internal->Pattern.GetBytes() +
-    this->Internal->Warp.GetBytes();
-}
 
 //------------------------------------------------------------------------------
 bool vtkIndirectMapSampler::Update(const Input& input)
@@ -101,9 +97,7 @@ bool vtkIndirectMapSampler::Update(const Input& input)
     return true;
   }
   in.MapTime = 0;
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
+  vtkIndirectFullScreenState fullScreen(window);
   if (!this->Resize(window, in.Pattern.GetNumberOfSamples()))
   {
     return false;
@@ -111,7 +105,7 @@ bool vtkIndirectMapSampler::Update(const Input& input)
   vtkIndirectTarget& table = this->BeginChange();
   if (sources.empty())
   {
-    this->ReleaseLobes(window);
+    this->RemoveLobes();
     in.MapTime = maps.GetContentTime();
     return true;
   }
@@ -125,21 +119,16 @@ bool vtkIndirectMapSampler::Update(const Input& input)
     return false;
   }
   in.Program.SetDefinitions(drawing.Modulated ? "#define VTKI_AMBIENT_OCCLUSION\n" : "");
-  vtkShaderProgram* program = in.Program.Use(window);
+  vtkIndirectProgram program = in.Program.Use(window);
   if (!program)
   {
     return false;
   }
   table.Begin();
-  {
-    vtkIndirectFullScreenState fullScreen(window);
-    warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
-    maps.Activate(program);
-    program->SetUniformf("vtkiShareOfArea", static_cast<float>(drawing.ShareOfArea));
-    in.Program.Draw();
-    maps.Deactivate();
-    warped ? in.Warp.Deactivate() : in.Pattern.Deactivate();
-  }
+  warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
+  maps.Activate(program);
+  program->SetUniformf("vtkiShareOfArea", static_cast<float>(drawing.ShareOfArea));
+  in.Program.Draw();
   table.End();
   if (!this->DrawLobes(input, warped))
   {
@@ -157,11 +146,11 @@ bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   if (!input.Maps.HasSpecular())
   {
-    this->ReleaseLobes(window);
+    this->RemoveLobes();
     return true;
   }
   vtkIndirectTarget* lobes = this->MakeLobes(window);
-  vtkShaderProgram* program = lobes ? in.LobeProgram.Use(window) : nullptr;
+  vtkIndirectProgram program = lobes ? in.LobeProgram.Use(window) : nullptr;
   if (!program)
   {
     return false;
@@ -172,19 +161,7 @@ bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
     warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
     input.Maps.Activate(program);
     in.LobeProgram.Draw();
-    input.Maps.Deactivate();
-    warped ? in.Warp.Deactivate() : in.Pattern.Deactivate();
   }
   lobes->End();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectMapSampler::ReleaseOwn(vtkWindow* window)
-{
-  this->Internal->Pattern.Release(window);
-  this->Internal->Warp.Release(window);
-  this->Internal->Program.Release();
-  this->Internal->LobeProgram.Release();
-  this->Internal->MapTime = 0;
 }

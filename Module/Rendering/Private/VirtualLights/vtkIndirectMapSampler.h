@@ -73,10 +73,6 @@ public:
 
   bool Update(const Input& input) override;
   vtkIndirectMapSampler* GetViewPattern() override { return this; }
-  size_t GetBytes() const override;
-
-protected:
-  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   bool DrawLobes(const Input& input, bool warped);

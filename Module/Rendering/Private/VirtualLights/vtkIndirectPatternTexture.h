@@ -4,21 +4,17 @@
 #ifndef vtkIndirectPatternTexture_h
 #define vtkIndirectPatternTexture_h
 
+#include "OpenGL/vtkIndirectDataTexture.h"       // for the base class
 #include "VirtualLights/vtkIndirectMapSampler.h" // for sources
-#include "vtkSmartPointer.h"                     // for the texture
 
 #include <vector> // for sources
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkTextureObject;
-class vtkWindow;
 
-class vtkIndirectPatternTexture
+class vtkIndirectPatternTexture : public vtkIndirectDataTexture
 {
 public:
-  vtkIndirectPatternTexture();
-  ~vtkIndirectPatternTexture();
+  using vtkIndirectDataTexture::vtkIndirectDataTexture;
 
   /** Brings the texture up to date. Returns true if it has changed. */
   bool Update(vtkOpenGLRenderWindow* window, vtkIndirectMapSampler& sampler,
@@ -26,19 +22,17 @@ public:
 
   int GetNumberOfSamples() const { return this->NumberOfSamples; }
 
-  /** Binds the texture; pair with Deactivate. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
-
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+  /** Binds the texture. */
+  void Activate(const vtkIndirectProgram& program) const
+  {
+    this->vtkIndirectDataTexture::Activate(program, "vtkiPattern");
+  }
 
 private:
   std::vector<vtkIndirectMapSampler::Source> Sources;
   const vtkIndirectMapSampler* Sampler = nullptr; // sampler that made it
   vtkMTimeType Time = 0;                          // time of that sampler
   int NumberOfSamples = 0;
-  vtkSmartPointer<vtkTextureObject> Texture;
 };
 
 #endif

@@ -13,31 +13,28 @@
 
 namespace
 {
-const vtkIndirectChannel NodeChannels[] = {
+const vtkIndirectChannels NodeChannels = {
   { "importance.lit", "vtkiLit", "cells that send light, by quadrants", GL_RGBA32F, "chart", "1" },
   { "importance.flux", "vtkiFlux", "light that cells send, by quadrants", GL_RGBA32F, "chart",
     "of the strongest light" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
-const vtkIndirectChannel SampleChannels[] = {
+const vtkIndirectChannels SampleChannels = {
   { "importance.samples", "vtkiPattern", "map coordinates, layer, texels that it stands for",
     GL_RGBA32F, "map", "1" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // A map of one face has no cone of light.
 constexpr float OneFace = 2.0f;
 }
 
-vtkIndirectSampleWarp::vtkIndirectSampleWarp()
-  : Even(NodeChannels, false)
-  , Odd(NodeChannels, false)
-  , Samples(SampleChannels, false)
+vtkIndirectSampleWarp::vtkIndirectSampleWarp(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Even(this, NodeChannels, false)
+  , Odd(this, NodeChannels, false)
+  , Samples(this, SampleChannels, false)
 {
 }
-
-vtkIndirectSampleWarp::~vtkIndirectSampleWarp() = default;
 
 //------------------------------------------------------------------------------
 // Makes a chart for each light; returns false, after an error, when OpenGL refuses.
@@ -71,17 +68,11 @@ bool vtkIndirectSampleWarp::UpdateCharts(
   const int count = maps.GetNumberOfMaps();
   this->Columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
   this->Rows = (count + this->Columns - 1) / this->Columns;
-  if (!this->ChartTexture || charts != this->Charts)
+  if (this->ChartTexture.IsEmpty() || charts != this->Charts)
   {
     this->Charts = charts;
-    if (!this->ChartTexture)
-    {
-      this->ChartTexture = vtkSmartPointer<vtkTextureObject>::New();
-    }
-    this->ChartTexture->SetContext(window);
-    this->ChartTexture->SetMinificationFilter(vtkTextureObject::Nearest);
-    this->ChartTexture->SetMagnificationFilter(vtkTextureObject::Nearest);
-    if (!this->ChartTexture->Create2DFromRaw(count, 1, 4, VTK_FLOAT, this->Charts.data()))
+    if (!this->ChartTexture.Set(
+          window, vtkIndirectDataTexture::FLOATS, 4, { count, 1, 0 }, this->Charts.data()))
     {
       return false;
     }
@@ -100,10 +91,9 @@ bool vtkIndirectSampleWarp::UpdateCharts(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSampleWarp::ActivateCharts(vtkShaderProgram* program) const
+void vtkIndirectSampleWarp::ActivateCharts(const vtkIndirectProgram& program) const
 {
-  this->ChartTexture->Activate();
-  program->SetUniformi("vtkiCharts", this->ChartTexture->GetTextureUnit());
+  this->ChartTexture.Activate(program, "vtkiCharts");
   program->SetUniformi("vtkiCells", this->Cells);
   program->SetUniformi("vtkiColumns", this->Columns);
   program->SetUniformi("vtkiNumberOfCharts", static_cast<int>(this->Charts.size() / 4));
@@ -111,7 +101,7 @@ void vtkIndirectSampleWarp::ActivateCharts(vtkShaderProgram* program) const
 
 //------------------------------------------------------------------------------
 void vtkIndirectSampleWarp::ActivateNodes(
-  int parity, vtkShaderProgram* program, const char* lit, const char* flux) const
+  int parity, const vtkIndirectProgram& program, const char* lit, const char* flux) const
 {
   const vtkIndirectTarget& nodes = parity == 0 ? this->Even : this->Odd;
   nodes.Activate(0, program, lit);
@@ -130,7 +120,7 @@ bool vtkIndirectSampleWarp::SumNodes(
   vtkOpenGLState* state = window->GetState();
   const int height = this->Rows * (this->Cells / 2);
   int begin[2] = { this->FindLevelWidth(0), 0 };
-  vtkShaderProgram* program = this->ImportanceProgram.Use(
+  vtkIndirectProgram program = this->ImportanceProgram.Use(
     window, definitions + (maps.HasSpecular() ? "#define VTKI_SPECULAR\n" : ""));
   if (!program)
   {
@@ -144,8 +134,6 @@ bool vtkIndirectSampleWarp::SumNodes(
     "vtkiScale", static_cast<float>(this->Strongest > 0.0 ? 1.0 / this->Strongest : 1.0));
   program->SetUniformf("vtkiOcclusion", static_cast<float>(occlusion));
   this->ImportanceProgram.Draw();
-  this->ChartTexture->Deactivate();
-  maps.Deactivate();
   this->Even.End();
   int below = 0;
   for (int level = 1; level < this->Levels; ++level)
@@ -163,7 +151,6 @@ bool vtkIndirectSampleWarp::SumNodes(
     program->SetUniformi("vtkiBelow", below);
     program->SetUniformi("vtkiBegin", begin[parity]);
     this->SumProgram.Draw();
-    (parity == 0 ? this->Odd : this->Even).Deactivate();
     nodes.End();
     below = begin[parity];
     begin[parity] += this->FindLevelWidth(level);
@@ -182,7 +169,7 @@ bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window, const vtkIndirec
     return false;
   }
   this->WarpProgram.SetDefinitions(this->WithFlux ? "#define VTKI_FLUX\n" : "");
-  vtkShaderProgram* program = this->WarpProgram.Use(window);
+  vtkIndirectProgram program = this->WarpProgram.Use(window);
   if (!program)
   {
     return false;
@@ -203,11 +190,6 @@ bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window, const vtkIndirec
       program->SetUniformi("vtkiWarpedLevels", drawing.Levels);
     }
     this->WarpProgram.Draw();
-    this->Odd.Deactivate();
-    this->Even.Deactivate();
-    this->ChartTexture->Deactivate();
-    maps.Deactivate();
-    pattern.Deactivate();
   }
   this->Samples.End();
   return true;
@@ -234,38 +216,14 @@ bool vtkIndirectSampleWarp::Update(vtkOpenGLRenderWindow* window, const vtkIndir
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSampleWarp::Activate(vtkShaderProgram* program) const
+void vtkIndirectSampleWarp::Activate(const vtkIndirectProgram& program) const
 {
   this->Samples.Activate(0, program);
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSampleWarp::Deactivate() const
+void vtkIndirectSampleWarp::ReleaseOwn(vtkWindow*)
 {
-  this->Samples.Deactivate();
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSampleWarp::GetBytes() const
-{
-  return this->Even.GetBytes() + this->Odd.GetBytes() + this->Samples.GetBytes() +
-    this->Charts.size() * sizeof(float);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSampleWarp::Release(vtkWindow* window)
-{
-  this->Even.Release(window);
-  this->Odd.Release(window);
-  this->Samples.Release(window);
-  if (this->ChartTexture)
-  {
-    this->ChartTexture->ReleaseGraphicsResources(window);
-    this->ChartTexture = nullptr;
-  }
   this->Charts.clear();
-  this->ImportanceProgram.Release();
-  this->SumProgram.Release();
-  this->WarpProgram.Release();
   this->MapTime = 0;
 }

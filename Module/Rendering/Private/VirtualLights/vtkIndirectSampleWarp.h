@@ -9,21 +9,21 @@
 #ifndef vtkIndirectSampleWarp_h
 #define vtkIndirectSampleWarp_h
 
+#include "OpenGL/vtkIndirectDataTexture.h"           // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
+#include "OpenGL/vtkIndirectResource.h"              // for the base class
 #include "OpenGL/vtkIndirectTarget.h"                // for members
 #include "VirtualLights/vtkIndirectMapSampler.h"     // for charts
 #include "VirtualLights/vtkIndirectPatternTexture.h" // for the pattern
 
-#include <cstddef> // for size_t
-#include <vector>  // for charts
+#include <vector> // for charts
 
 class vtkIndirectLightMaps;
 
-class vtkIndirectSampleWarp
+class vtkIndirectSampleWarp : public vtkIndirectResource
 {
 public:
-  vtkIndirectSampleWarp();
-  ~vtkIndirectSampleWarp();
+  explicit vtkIndirectSampleWarp(vtkIndirectResource* owner);
 
   /**
    * Largest number of cells along the edge of a chart: one texel represents several texels of
@@ -40,23 +40,23 @@ public:
   bool Update(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
     const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
 
-  /** Binds the samples in place of a pattern; pair with Deactivate. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
+  /** Binds the samples in place of a pattern. */
+  void Activate(const vtkIndirectProgram& program) const;
 
   /** Cells along the edge of a chart, after Update. */
   int GetCells() const { return this->Cells; }
-  size_t GetBytes() const;
-  void Release(vtkWindow* window);
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   bool UpdateCharts(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps);
   bool SumNodes(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps, double occlusion);
   bool Warp(vtkOpenGLRenderWindow* window, const vtkIndirectLightMaps& maps,
     const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
-  void ActivateCharts(vtkShaderProgram* program) const;
+  void ActivateCharts(const vtkIndirectProgram& program) const;
   void ActivateNodes(
-    int parity, vtkShaderProgram* program, const char* lit, const char* flux) const;
+    int parity, const vtkIndirectProgram& program, const char* lit, const char* flux) const;
   int FindLevelWidth(int level) const { return this->Columns * (this->Cells / 2) >> level; }
 
   // The inputs of the nodes.
@@ -70,13 +70,13 @@ private:
   int Columns = 1; // columns of charts
   int Rows = 1;
   double Strongest = 1.0; // strength of the strongest light
-  vtkSmartPointer<vtkTextureObject> ChartTexture;
+  vtkIndirectDataTexture ChartTexture{ this };
   vtkIndirectTarget Even;
   vtkIndirectTarget Odd;
   vtkIndirectTarget Samples;
-  vtkIndirectFullScreenProgram ImportanceProgram{ "vtkIndirectImportanceFS.glsl" };
-  vtkIndirectFullScreenProgram SumProgram{ "vtkIndirectImportanceSumFS.glsl" };
-  vtkIndirectFullScreenProgram WarpProgram{ "vtkIndirectWarpFS.glsl" };
+  vtkIndirectFullScreenProgram ImportanceProgram{ this, "vtkIndirectImportanceFS.glsl" };
+  vtkIndirectFullScreenProgram SumProgram{ this, "vtkIndirectImportanceSumFS.glsl" };
+  vtkIndirectFullScreenProgram WarpProgram{ this, "vtkIndirectWarpFS.glsl" };
 };
 
 #endif

@@ -21,7 +21,7 @@ static_assert(vtkIndirectSampler::RowLength == vtkIndirectKernels::VTKI_ROW_LENG
 vtkIndirectSampler::vtkIndirectSampler(vtkVirtualLightSampler* owner)
   : Owner(owner)
   , Guard(vtkSmartPointer<vtkIndirectContextGuard>::New())
-  , Table(vtkIndirectLightTable, false)
+  , Table(this, vtkIndirectLightTable, false)
 {
   this->Guard->Release = [this](vtkWindow* window) { this->Release(window); };
 }
@@ -70,16 +70,17 @@ void vtkIndirectSampler::HoldContext(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSampler::Release(vtkWindow* window)
+bool vtkIndirectSampler::CanRelease(vtkWindow* window)
 {
-  if (window && this->Guard->CanBeOf(window))
-  {
-    this->ContentTime.Modified();
-    this->Table.Release(window);
-    this->ReleaseBranches(window);
-    this->ReleaseLobes(window);
-    this->ReleaseOwn(window);
-  }
+  return window && this->Guard->CanBeOf(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSampler::ReleaseOwn(vtkWindow*)
+{
+  this->ContentTime.Modified();
+  this->Branches.reset();
+  this->Lobes.reset();
 }
 
 //------------------------------------------------------------------------------
@@ -149,12 +150,12 @@ bool vtkIndirectSampler::Write(
   }
   if (branches.empty())
   {
-    this->ReleaseBranches(frame.Window);
+    this->Branches.reset();
     return true;
   }
   if (!this->Branches)
   {
-    this->Branches = std::make_unique<vtkIndirectTarget>(vtkIndirectLightTable, false);
+    this->Branches = std::make_unique<vtkIndirectTarget>(this, vtkIndirectLightTable, false);
   }
   const int rows = (static_cast<int>(branches.size()) + RowLength - 1) / RowLength;
   if (!this->Branches->Resize(frame.Window, RowLength, rows))
@@ -176,7 +177,7 @@ bool vtkIndirectSampler::WriteLobes(vtkOpenGLRenderWindow* window, const std::ve
     });
   if (!any)
   {
-    this->ReleaseLobes(window);
+    this->Lobes.reset();
     return true;
   }
   vtkIndirectTarget* lobes = this->MakeLobes(window);
@@ -208,35 +209,8 @@ vtkIndirectTarget* vtkIndirectSampler::MakeLobes(vtkOpenGLRenderWindow* window)
 {
   if (!this->Lobes)
   {
-    this->Lobes = std::make_unique<vtkIndirectTarget>(vtkIndirectSenderLobeTable, false);
+    this->Lobes = std::make_unique<vtkIndirectTarget>(this, vtkIndirectSenderLobeTable, false);
   }
   const bool made = this->Lobes->Resize(window, this->Table.GetWidth(), this->Table.GetHeight());
   return made ? this->Lobes.get() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSampler::ReleaseLobes(vtkWindow* window)
-{
-  if (this->Lobes)
-  {
-    this->Lobes->Release(window);
-    this->Lobes = nullptr;
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSampler::ReleaseBranches(vtkWindow* window)
-{
-  if (this->Branches)
-  {
-    this->Branches->Release(window);
-    this->Branches = nullptr;
-  }
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSampler::GetBytes() const
-{
-  return this->Table.GetBytes() + (this->Branches ? this->Branches->GetBytes() : 0) +
-    (this->Lobes ? this->Lobes->GetBytes() : 0);
 }

@@ -5,9 +5,10 @@
 #ifndef vtkIndirectSampler_h
 #define vtkIndirectSampler_h
 
-#include "OpenGL/vtkIndirectTarget.h" // for members
-#include "vtkSmartPointer.h"          // for the guard
-#include "vtkTimeStamp.h"             // for a member
+#include "OpenGL/vtkIndirectResource.h" // for the base class
+#include "OpenGL/vtkIndirectTarget.h"   // for members
+#include "vtkSmartPointer.h"            // for the guard
+#include "vtkTimeStamp.h"               // for a member
 
 #include <memory> // for tables
 #include <vector> // for rows
@@ -20,7 +21,6 @@ class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
 class vtkIndirectLightMaps;
 class vtkVirtualLightSampler;
-class vtkWindow;
 struct vtkIndirectEmitter;
 struct vtkIndirectFrame;
 struct vtkIndirectFurtherSenders;
@@ -43,7 +43,7 @@ struct vtkIndirectSamplerAbilities
                              // frame
 };
 
-class vtkIndirectSampler
+class vtkIndirectSampler : public vtkIndirectResource
 {
 public:
   /** The pointer also holds the vtkVirtualLightSampler if the lights are made for one. */
@@ -104,9 +104,7 @@ public:
 
   /** owner: the public object that holds this one; null for the pipeline's own samplers. */
   explicit vtkIndirectSampler(vtkVirtualLightSampler* owner = nullptr);
-  virtual ~vtkIndirectSampler();
-  vtkIndirectSampler(const vtkIndirectSampler&) = delete;
-  void operator=(const vtkIndirectSampler&) = delete;
+  ~vtkIndirectSampler() override;
 
   /** Returns the lights of a public sampler, which they keep alive; null for null. */
   static Pointer Get(vtkVirtualLightSampler* sampler);
@@ -116,8 +114,6 @@ public:
    * they are of another window. Must be called in every frame, before Update.
    */
   void HoldContext(vtkOpenGLRenderWindow* window);
-  /** Releases all resources in the window's context; does nothing without a window. */
-  void Release(vtkWindow* window);
 
   /**
    * Adds the owner's settings: those in force in the last frame, of this plan, or, for null, those
@@ -140,8 +136,6 @@ public:
   virtual vtkIndirectMapSampler* GetViewPattern() { return nullptr; }
   /** Adds the sources of the last frame's lights to the report. Default: nothing. */
   virtual void AddToReport(vtkIndirectReport&) const {}
-  /** Returns the bytes of textures and buffers. */
-  virtual size_t GetBytes() const;
 
   /** Returns the number of lights in the last frame. */
   int GetActualNumberOfLights() const { return this->NumberOfLights; }
@@ -163,8 +157,8 @@ public:
   vtkMTimeType GetSettingsTime() const;
 
 protected:
-  /** Releases the resources of a subclass, in the context of this window. */
-  virtual void ReleaseOwn(vtkWindow*) {}
+  bool CanRelease(vtkWindow* window) override;
+  void ReleaseOwn(vtkWindow* window) override;
   /** Makes room in the table. Returns false, after an error, when OpenGL refuses. */
   bool Resize(vtkOpenGLRenderWindow* window, int numberOfLights);
   /** Returns the table, to be filled, and marks the lights as changed. */
@@ -182,12 +176,11 @@ protected:
    */
   vtkIndirectTarget* MakeLobes(vtkOpenGLRenderWindow* window);
   /** Removes the lobes of all lights. */
-  void ReleaseLobes(vtkWindow* window);
+  void RemoveLobes() { this->Lobes.reset(); }
 
 private:
   static void Fill(vtkIndirectTarget& table, const std::vector<Row>& rows, double source);
   bool WriteLobes(vtkOpenGLRenderWindow* window, const std::vector<Row>& lights);
-  void ReleaseBranches(vtkWindow* window);
 
   vtkVirtualLightSampler* Owner;
   vtkSmartPointer<vtkIndirectContextGuard> Guard;

@@ -202,12 +202,6 @@ long long vtkIndirectSenderSampler::GetNumberOfFacesDrawn() const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectSenderSampler::GetBytes() const
-{
-  return this->vtkIndirectSampler::GetBytes() + this->Maps.GetBytes();
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 {
   report.MainMemoryBytes += this->Clusters.GetBytes();
@@ -243,7 +237,7 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::ReleaseOwn(vtkWindow* window)
 {
-  this->Maps.Release(window);
+  this->vtkIndirectSampler::ReleaseOwn(window);
   this->Texels.Release(window);
   this->Clusters.SetSenders({});
   this->Emitters.clear();

@@ -16,8 +16,6 @@
 #include "VirtualLights/vtkIndirectSenderClusters.h" // for members
 #include "VirtualLights/vtkIndirectSenderTexels.h"   // for members
 
-#include <vector> // for lists
-
 class vtkSurfaceCapturePass;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
@@ -44,7 +42,6 @@ public:
   /** Grows when the inputs of the lights change, except their number. */
   size_t GetSourceTime() const { return this->SourceTime; }
   long long GetNumberOfFacesDrawn() const;
-  size_t GetBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
 protected:
@@ -54,7 +51,7 @@ private:
   bool UpdateScene(const vtkIndirectFrame& frame);
   bool ReadSenders(const Input& input);
 
-  vtkIndirectLightMaps Maps;
+  vtkIndirectLightMaps Maps{ this };
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
   int NumberOfLights = 256;

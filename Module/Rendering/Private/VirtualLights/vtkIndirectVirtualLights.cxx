@@ -24,10 +24,11 @@ int CountRows(int lights)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectVirtualLights::vtkIndirectVirtualLights()
-  : Joined(vtkIndirectLightTable, false)
-  , JoinedBranches(vtkIndirectLightTable, false)
-  , JoinedLobes(vtkIndirectSenderLobeTable, false)
+vtkIndirectVirtualLights::vtkIndirectVirtualLights(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , Joined(this, vtkIndirectLightTable, false)
+  , JoinedBranches(this, vtkIndirectLightTable, false)
+  , JoinedLobes(this, vtkIndirectSenderLobeTable, false)
 {
 }
 
@@ -150,7 +151,7 @@ bool vtkIndirectVirtualLights::JoinTables(
       const vtkIndirectTarget* source = GetPart(sampler, part);
       if (source)
       {
-        vtkShaderProgram* program = join.Use(window, part == Lobes ? "#define VTKI_LOBES\n" : "");
+        vtkIndirectProgram program = join.Use(window, part == Lobes ? "#define VTKI_LOBES\n" : "");
         done = program != nullptr;
         if (!done)
         {
@@ -163,7 +164,6 @@ bool vtkIndirectVirtualLights::JoinTables(
         program->SetUniformi("vtkiFirst", first);
         program->SetUniformi("vtkiCount", count);
         join.Draw();
-        source->Deactivate();
       }
       first += count;
     }
@@ -179,7 +179,7 @@ int vtkIndirectVirtualLights::GetNumberOfRows() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVirtualLights::Activate(vtkShaderProgram* program) const
+void vtkIndirectVirtualLights::Activate(const vtkIndirectProgram& program) const
 {
   for (int channel = 0; channel < 3; ++channel)
   {
@@ -190,7 +190,7 @@ void vtkIndirectVirtualLights::Activate(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVirtualLights::ActivateBranches(vtkShaderProgram* program) const
+void vtkIndirectVirtualLights::ActivateBranches(const vtkIndirectProgram& program) const
 {
   if (this->CurrentBranches)
   {
@@ -201,31 +201,12 @@ void vtkIndirectVirtualLights::ActivateBranches(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVirtualLights::Deactivate() const
-{
-  this->Current->Deactivate();
-  if (this->CurrentBranches)
-  {
-    this->CurrentBranches->Deactivate();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectVirtualLights::ActivateLobes(vtkShaderProgram* program) const
+void vtkIndirectVirtualLights::ActivateLobes(const vtkIndirectProgram& program) const
 {
   if (this->CurrentLobes)
   {
     this->CurrentLobes->Activate(vtkIndirectSampler::LobeDirectionExponent, program);
     this->CurrentLobes->Activate(vtkIndirectSampler::LobeDensityArea, program);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectVirtualLights::DeactivateLobes() const
-{
-  if (this->CurrentLobes)
-  {
-    this->CurrentLobes->Deactivate();
   }
 }
 
@@ -306,13 +287,8 @@ void vtkIndirectVirtualLights::Copy(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVirtualLights::Release(vtkWindow* window)
+void vtkIndirectVirtualLights::ReleaseOwn(vtkWindow*)
 {
-  this->Joined.Release(window);
-  this->JoinedBranches.Release(window);
-  this->JoinedLobes.Release(window);
-  this->Program.Release();
-  this->LobeProgram.Release();
   this->JoinedTime = 0;
   this->Contents.clear();
   this->Current = nullptr;

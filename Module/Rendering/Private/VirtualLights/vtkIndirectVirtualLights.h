@@ -5,6 +5,7 @@
 #define vtkIndirectVirtualLights_h
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
 #include "VirtualLights/vtkIndirectSampler.h"    // for its input
 #include "vtkTimeStamp.h"                        // for a member
@@ -15,13 +16,13 @@
 
 class vtkImageData;
 
-class vtkIndirectVirtualLights
+class vtkIndirectVirtualLights : public vtkIndirectResource
 {
 public:
   using Input = vtkIndirectSampler::Input;
   using Samplers = std::vector<vtkIndirectSampler::Pointer>;
 
-  vtkIndirectVirtualLights();
+  explicit vtkIndirectVirtualLights(vtkIndirectResource* owner = nullptr);
 
   /**
    * Brings the samplers' lights up to date and joins them. The table of a single sampler is read
@@ -53,17 +54,11 @@ public:
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
   const vtkIndirectTarget& GetTable() const { return *this->Current; }
 
-  ///@{
-  /** Bind the table, and the branches if there are any, and set its extent; pair. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
-  ///@}
+  /** Binds the table, and the branches if there are any, and sets its extent. */
+  void Activate(const vtkIndirectProgram& program) const;
 
-  ///@{
-  /** Bind the lobes, if there are any; pair. */
-  void ActivateLobes(vtkShaderProgram* program) const;
-  void DeactivateLobes() const;
-  ///@}
+  /** Binds the lobes, if there are any. */
+  void ActivateLobes(const vtkIndirectProgram& program) const;
 
   ///@{
   /**
@@ -77,16 +72,13 @@ public:
   void CopyLobes(const vtkIndirectFrame& frame, vtkImageData* image) const;
 
   /** Returns the bytes of the joined tables of several samplers; samplers count their own. */
-  size_t GetBytes() const
-  {
-    return this->Joined.GetBytes() + this->JoinedBranches.GetBytes() + this->JoinedLobes.GetBytes();
-  }
-  void Release(vtkWindow* window);
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   static void Copy(
     const vtkIndirectFrame& frame, const vtkIndirectTarget& table, int count, vtkImageData* image);
-  void ActivateBranches(vtkShaderProgram* program) const;
+  void ActivateBranches(const vtkIndirectProgram& program) const;
   bool Join(const Input& input, const Samplers& samplers);
   enum Part
   {
@@ -102,8 +94,8 @@ private:
   vtkIndirectTarget Joined;
   vtkIndirectTarget JoinedBranches;
   vtkIndirectTarget JoinedLobes;
-  vtkIndirectFullScreenProgram Program{ "vtkIndirectJoinLightsFS.glsl" };
-  vtkIndirectFullScreenProgram LobeProgram{ "vtkIndirectJoinLightsFS.glsl" };
+  vtkIndirectFullScreenProgram Program{ this, "vtkIndirectJoinLightsFS.glsl" };
+  vtkIndirectFullScreenProgram LobeProgram{ this, "vtkIndirectJoinLightsFS.glsl" };
   const vtkIndirectTarget* Current = nullptr;
   const vtkIndirectTarget* CurrentBranches = nullptr;
   const vtkIndirectTarget* CurrentLobes = nullptr;

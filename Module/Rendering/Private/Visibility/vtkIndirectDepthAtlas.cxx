@@ -15,13 +15,12 @@
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
 
 namespace
 {
-const vtkIndirectChannel NoChannels[] = { { nullptr, nullptr, nullptr, 0, nullptr, nullptr } };
+const vtkIndirectChannels NoChannels;
 
 // Texels along an edge of the texture; OpenGL may allow less.
 constexpr int MostTexels = 16384;
@@ -45,7 +44,7 @@ constexpr size_t TrianglesOfBatch = 1 << 17;
 //------------------------------------------------------------------------------
 vtkIndirectDepthAtlas::vtkIndirectDepthAtlas(bool strips)
   : Strips(strips)
-  , Depths(NoChannels, true)
+  , Depths(this, NoChannels, true)
   , Camera(vtkSmartPointer<vtkOpenGLCamera>::New())
 {
 }
@@ -387,7 +386,7 @@ void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::Activate(vtkShaderProgram* program) const
+void vtkIndirectDepthAtlas::Activate(const vtkIndirectProgram& program) const
 {
   this->Depths.ActivateDepth(program, "vtkiDepthTiles");
   vtkIndirectSetUniform(
@@ -399,16 +398,8 @@ void vtkIndirectDepthAtlas::Activate(vtkShaderProgram* program) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::Deactivate() const
+void vtkIndirectDepthAtlas::ReleaseOwn(vtkWindow*)
 {
-  this->Depths.Deactivate();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::Release(vtkWindow* window)
-{
-  this->Depths.Release(window);
-  this->Drawer.Release(window);
   this->Forget();
   this->Left.clear();
   this->NumberOfMissingTiles = this->NumberOfTilesTooMany = 0;

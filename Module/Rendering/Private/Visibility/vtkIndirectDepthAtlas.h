@@ -7,6 +7,7 @@
 #define vtkIndirectDepthAtlas_h
 
 #include "Capture/vtkIndirectDepthDrawer.h"  // for a member
+#include "OpenGL/vtkIndirectResource.h"      // for the base class
 #include "OpenGL/vtkIndirectTarget.h"        // for a member
 #include "Visibility/vtkIndirectDepthTile.h" // for tiles
 #include "vtkSmartPointer.h"                 // for a member
@@ -20,12 +21,12 @@ class vtkOpenGLCamera;
 class vtkSurfaceCapturePass;
 struct vtkIndirectCaster;
 
-class vtkIndirectDepthAtlas
+class vtkIndirectDepthAtlas : public vtkIndirectResource
 {
 public:
   /** strips: true if tiles have strips below the view ahead. */
   explicit vtkIndirectDepthAtlas(bool strips = false);
-  ~vtkIndirectDepthAtlas();
+  ~vtkIndirectDepthAtlas() override;
 
   /** A map that a client asks for. */
   struct Map
@@ -76,9 +77,8 @@ public:
   /** Returns the number of maps, the last ones, that have no room even with the smallest tiles. */
   int GetNumberOfTilesTooMany() const { return this->NumberOfTilesTooMany; }
 
-  /** Binds the depths and sets vtkiDepthTiles and vtkiTileShape; pair. */
-  void Activate(vtkShaderProgram* program) const;
-  void Deactivate() const;
+  /** Binds the depths and sets vtkiDepthTiles and vtkiTileShape. */
+  void Activate(const vtkIndirectProgram& program) const;
 
   int GetNumberOfTiles() const { return static_cast<int>(this->Drawn.size()); }
   int GetTexels() const { return this->Texels; }
@@ -90,8 +90,9 @@ public:
   size_t GetNumberOfTilesDrawn() const { return this->NumberOfTilesDrawn; }
   /** Returns the number of texels of all tiles. */
   double CountTexels() const;
-  size_t GetBytes() const { return this->Depths.GetBytes(); }
-  void Release(vtkWindow* window);
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   // A tile as it was drawn.
@@ -125,7 +126,7 @@ private:
 
   const bool Strips;
   vtkIndirectTarget Depths;
-  vtkIndirectDepthDrawer Drawer;
+  vtkIndirectDepthDrawer Drawer{ this };
   vtkSmartPointer<vtkOpenGLCamera> Camera;
   std::vector<Drawing> Drawn;
   std::vector<std::pair<int, vtkIndirectDepthTile>> Left; // tiles to draw, first the missing ones

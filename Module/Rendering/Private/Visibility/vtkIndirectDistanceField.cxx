@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectDistanceField.h"
 
-#include "OpenGL/vtkIndirectKernels.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
@@ -116,7 +115,7 @@ void vtkIndirectDistanceField::Build(const vtkIndirectOccupancyVolume& volume)
 
 //------------------------------------------------------------------------------
 void vtkIndirectDistanceField::Activate(
-  vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const
 {
   if (this->Texture.IsEmpty())
   {

@@ -6,6 +6,7 @@
 #define vtkIndirectDistanceField_h
 
 #include "OpenGL/vtkIndirectDataTexture.h" // for a member
+#include "OpenGL/vtkIndirectResource.h"    // for the base class
 
 #include <cstddef>     // for size_t
 #include <glm/glm.hpp> // for vectors
@@ -13,12 +14,12 @@
 
 class vtkIndirectOccupancyVolume;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectDistanceField
+class vtkIndirectDistanceField : public vtkIndirectResource
 {
 public:
+  using vtkIndirectResource::vtkIndirectResource;
+
   void Build(const vtkIndirectOccupancyVolume& volume);
 
   int Get(const glm::ivec3& voxel) const
@@ -33,19 +34,16 @@ public:
     return (position - this->Origin) * this->VoxelsPerUnit;
   }
 
-  /** Binds the distances for vtkIndirectVisibility.glsl; pair with Deactivate. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
-  void Deactivate() const { this->Texture.Deactivate(); }
-  size_t GetBytes() const { return this->Texture.GetBytes(); }
+  /** Binds the distances for vtkIndirectVisibility.glsl. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
   size_t GetMainMemoryBytes() const { return this->Voxels.size(); }
-  void Release(vtkWindow* window) { this->Texture.Release(window); }
 
 private:
   glm::ivec3 Size{ 0 };
   glm::vec3 Origin{ 0.0f };
   float VoxelsPerUnit = 1.0f;
   std::vector<unsigned char> Voxels;
-  mutable vtkIndirectDataTexture Texture;
+  mutable vtkIndirectDataTexture Texture{ this };
 };
 
 #endif

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 namespace
 {
@@ -44,7 +43,12 @@ bool EdgesOverlap(const glm::dvec3 v[3], double half)
 }
 }
 
-vtkIndirectOccupancyVolume::vtkIndirectOccupancyVolume() = default;
+vtkIndirectOccupancyVolume::vtkIndirectOccupancyVolume(vtkIndirectResource* owner)
+  : vtkIndirectResource(owner)
+  , DistanceField(new vtkIndirectDistanceField(this))
+{
+}
+
 vtkIndirectOccupancyVolume::~vtkIndirectOccupancyVolume() = default;
 
 //------------------------------------------------------------------------------
@@ -203,10 +207,6 @@ bool vtkIndirectOccupancyVolume::Update(
 //------------------------------------------------------------------------------
 const vtkIndirectDistanceField& vtkIndirectOccupancyVolume::GetDistanceField() const
 {
-  if (!this->DistanceField)
-  {
-    this->DistanceField = std::make_unique<vtkIndirectDistanceField>();
-  }
   if (!this->DistanceFieldIsCurrent)
   {
     this->DistanceField->Build(*this);
@@ -323,7 +323,7 @@ size_t vtkIndirectOccupancyVolume::GetNumberOfOccupiedVoxels() const
 
 //------------------------------------------------------------------------------
 void vtkIndirectOccupancyVolume::Activate(
-  vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const
 {
   if (this->Texture.IsEmpty())
   {
@@ -340,30 +340,8 @@ void vtkIndirectOccupancyVolume::Activate(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectOccupancyVolume::Deactivate() const
-{
-  this->Texture.Deactivate();
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectOccupancyVolume::GetBytes() const
-{
-  return this->Texture.GetBytes() + (this->DistanceField ? this->DistanceField->GetBytes() : 0);
-}
-
-//------------------------------------------------------------------------------
 size_t vtkIndirectOccupancyVolume::GetMainMemoryBytes() const
 {
   return this->Columns.size() * sizeof(glm::uvec4) + this->Planes.GetBytes() +
-    (this->DistanceField ? this->DistanceField->GetMainMemoryBytes() : 0);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectOccupancyVolume::Release(vtkWindow* window)
-{
-  this->Texture.Release(window);
-  if (this->DistanceField)
-  {
-    this->DistanceField->Release(window);
-  }
+    this->DistanceField->GetMainMemoryBytes();
 }

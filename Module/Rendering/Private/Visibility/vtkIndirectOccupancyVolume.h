@@ -15,6 +15,7 @@
 #include "Frame/vtkIndirectFrame.h"            // for casters
 #include "Frame/vtkIndirectKey.h"              // for keys
 #include "OpenGL/vtkIndirectDataTexture.h"     // for a member
+#include "OpenGL/vtkIndirectResource.h"        // for the base class
 #include "Visibility/vtkIndirectVoxelPlanes.h" // for a member
 
 #include <glm/glm.hpp> // for vectors
@@ -25,14 +26,12 @@
 class vtkIndirectDistanceField;
 class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectOccupancyVolume
+class vtkIndirectOccupancyVolume : public vtkIndirectResource
 {
 public:
-  vtkIndirectOccupancyVolume();
-  ~vtkIndirectOccupancyVolume();
+  explicit vtkIndirectOccupancyVolume(vtkIndirectResource* owner = nullptr);
+  ~vtkIndirectOccupancyVolume() override;
 
   /**
    * Brings the volume up to date with `resolution` (8 to 128) voxels along the longest edge of the
@@ -99,13 +98,10 @@ public:
   };
   const std::vector<LeftOutProp>& GetLeftOut() const { return this->LeftOut; }
 
-  /** Binds the bits for vtkIndirectOccupancy.glsl; pair with Deactivate. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
-  void Deactivate() const;
-  size_t GetBytes() const;
+  /** Binds the bits for vtkIndirectOccupancy.glsl. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
   /** Returns the bytes of voxels, their distances and their planes. */
   size_t GetMainMemoryBytes() const;
-  void Release(vtkWindow* window);
 
 private:
   void AddPolygons(const vtkIndirectFrame& frame, const vtkIndirectSurfaces& surfaces);
@@ -124,11 +120,11 @@ private:
   glm::dvec3 MeanAlbedo{ 0.0 };
   std::vector<glm::ivec3> Touched; // voxels that the current triangle touches
   vtkIndirectKey Key;
-  // The field is made on the first request.
-  mutable std::unique_ptr<vtkIndirectDistanceField> DistanceField;
+  // The distances are computed on the first request.
+  const std::unique_ptr<vtkIndirectDistanceField> DistanceField;
   mutable bool DistanceFieldIsCurrent = false;
   std::vector<LeftOutProp> LeftOut;
-  mutable vtkIndirectDataTexture Texture;
+  mutable vtkIndirectDataTexture Texture{ this };
 };
 
 #endif

@@ -18,10 +18,9 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannels Channels = {
   { "penumbra", "vtkiPenumbraTiles", "depths of four neighbouring texels", GL_RGBA32F, "tile",
     "depth buffer" },
-  { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 
 // Texels across the penumbra of a blocker half-way to the light, or a quarter of the scene's depth
@@ -243,10 +242,11 @@ void FitDirectional(
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectPenumbra::vtkIndirectPenumbra(vtkIndirectDepthMaps& maps)
-  : DepthMaps(maps)
+vtkIndirectPenumbra::vtkIndirectPenumbra(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectResource(owner)
+  , DepthMaps(maps)
   , Atlas(maps.Get(vtkIndirectDepthMaps::PENUMBRAE))
-  , Tiles(Channels, false)
+  , Tiles(this, Channels, false)
 {
 }
 
@@ -319,17 +319,14 @@ bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
     return true;
   }
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglViewport viewport(state);
-  vtkOpenGLState::ScopedglScissor scissor(state);
   vtkIndirectFullScreenState kernelState(frame.Window);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   this->Tiles.Begin();
-  vtkShaderProgram* program = this->Kernel.Use(frame.Window);
+  vtkIndirectProgram program = this->Kernel.Use(frame.Window);
   if (program)
   {
     this->Atlas.Activate(program);
     this->Kernel.Draw();
-    this->Atlas.Deactivate();
     this->Joined = this->Atlas.GetNumberOfTilesDrawn();
   }
   this->Tiles.End();
@@ -358,7 +355,10 @@ void vtkIndirectPenumbra::Activate(vtkIndirectShadowMaps& shadows)
 //------------------------------------------------------------------------------
 void vtkIndirectPenumbra::Deactivate() const
 {
-  this->Tiles.Deactivate();
+  if (!this->Lights.empty())
+  {
+    this->Tiles.GetTexture(0)->Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -377,11 +377,9 @@ void vtkIndirectPenumbra::AddToReport(vtkIndirectReport& report) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPenumbra::Release(vtkWindow* window)
+void vtkIndirectPenumbra::ReleaseOwn(vtkWindow* window)
 {
   this->DepthMaps.Release(vtkIndirectDepthMaps::PENUMBRAE, window);
-  this->Tiles.Release(window);
-  this->Kernel.Release();
   this->Lights.clear();
   this->Texels = 0;
 }

@@ -13,6 +13,7 @@
 
 #include "Capture/vtkIndirectShadowMaps.h"       // for the maps that the capture reads
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
 #include "Visibility/vtkIndirectDepthMaps.h"     // for depth maps
 
@@ -25,11 +26,11 @@ class vtkSurfaceCapturePass;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
 
-class vtkIndirectPenumbra
+class vtkIndirectPenumbra : public vtkIndirectResource
 {
 public:
-  explicit vtkIndirectPenumbra(vtkIndirectDepthMaps& maps);
-  ~vtkIndirectPenumbra();
+  vtkIndirectPenumbra(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
+  ~vtkIndirectPenumbra() override;
 
   /**
    * Brings the maps of lights up to date that have a size and a map from their centre; the centre's
@@ -39,13 +40,13 @@ public:
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectLightMaps& maps,
     vtkSurfaceCapturePass* capture);
 
-  /** Adds its maps to the shadows and binds them; pair with Deactivate. */
+  ///@{
+  /** Add its maps to the shadows and bind them; pair. */
   void Activate(vtkIndirectShadowMaps& shadows);
   void Deactivate() const;
+  ///@}
 
   void AddToReport(vtkIndirectReport& report) const;
-  /** Releases the maps: shaders look up no penumbra. */
-  void Release(vtkWindow* window);
 
   /**
    * A light's maps: numbers for shaders, a tile for each point and face, and the wanted number of
@@ -60,6 +61,10 @@ public:
   /** Fits the maps of a light to the casters. */
   static Light Fit(const vtkIndirectFrame& frame, const vtkIndirectLightMap& centre);
 
+protected:
+  /** Releases the maps: shaders look up no penumbra. */
+  void ReleaseOwn(vtkWindow* window) override;
+
 private:
   bool JoinTexels(const vtkIndirectFrame& frame);
 
@@ -68,7 +73,7 @@ private:
   std::vector<Light> Lights;
   int Texels = 0;          // along an edge of a tile
   vtkIndirectTarget Tiles; // maps that shaders read
-  vtkIndirectFullScreenProgram Kernel{ "vtkIndirectPenumbraTilesFS.glsl" };
+  vtkIndirectFullScreenProgram Kernel{ this, "vtkIndirectPenumbraTilesFS.glsl" };
   size_t Joined = 0; // number of tiles that had been drawn by the last JoinTexels
 };
 

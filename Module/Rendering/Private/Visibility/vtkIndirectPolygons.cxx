@@ -37,7 +37,6 @@ using CompositeMapper = vtkCompositePolyDataMapper2;
 #include <cstring>
 #include <iterator>
 #include <string>
-#include <utility>
 
 namespace
 {

@@ -27,8 +27,9 @@ public:
   void AddToReport(vtkIndirectReport& report) const override;
 
 protected:
-  void ReleaseOwn(vtkWindow*) override
+  void ReleaseOwn(vtkWindow* window) override
   {
+    this->vtkIndirectSampler::ReleaseOwn(window);
     this->Key.Clear();
     this->Bodies.clear();
   }

@@ -26,9 +26,6 @@ constexpr size_t MostEntriesOfSphere = 64;
 constexpr float Slack = 1e-3f;
 }
 
-vtkIndirectSphereGrid::vtkIndirectSphereGrid() = default;
-vtkIndirectSphereGrid::~vtkIndirectSphereGrid() = default;
-
 //------------------------------------------------------------------------------
 void vtkIndirectSphereGrid::Clear()
 {
@@ -286,7 +283,8 @@ void vtkIndirectSphereGrid::Upload(vtkOpenGLRenderWindow* window) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSphereGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
+void vtkIndirectSphereGrid::Activate(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const
 {
   if (this->CellTexture.IsEmpty())
   {
@@ -300,27 +298,7 @@ void vtkIndirectSphereGrid::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSphereGrid::Deactivate() const
-{
-  this->CellTexture.Deactivate();
-  this->ListTexture.Deactivate();
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectSphereGrid::GetBytes() const
-{
-  return this->CellTexture.GetBytes() + this->ListTexture.GetBytes();
-}
-
-//------------------------------------------------------------------------------
 size_t vtkIndirectSphereGrid::GetMainMemoryBytes() const
 {
   return this->Cells.size() * sizeof(glm::uvec2) + this->Lists.size() * sizeof(glm::vec4);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSphereGrid::Release(vtkWindow* window)
-{
-  this->CellTexture.Release(window);
-  this->ListTexture.Release(window);
 }

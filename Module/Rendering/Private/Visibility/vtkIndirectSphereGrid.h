@@ -10,6 +10,7 @@
 #define vtkIndirectSphereGrid_h
 
 #include "OpenGL/vtkIndirectDataTexture.h" // for members
+#include "OpenGL/vtkIndirectResource.h"    // for the base class
 
 #include <cstddef>     // for size_t
 #include <cstdint>     // for indices
@@ -17,10 +18,8 @@
 #include <vector>      // for lists
 
 class vtkOpenGLRenderWindow;
-class vtkShaderProgram;
-class vtkWindow;
 
-class vtkIndirectSphereGrid
+class vtkIndirectSphereGrid : public vtkIndirectResource
 {
 public:
   /** Cells along an edge at most: no OpenGL has smaller three-dimensional textures. */
@@ -30,8 +29,7 @@ public:
   /** Entries of all lists together, by default: 128 MB. */
   static constexpr size_t MaximumNumberOfEntries = size_t(1) << 23;
 
-  vtkIndirectSphereGrid();
-  ~vtkIndirectSphereGrid();
+  using vtkIndirectResource::vtkIndirectResource;
 
   /**
    * Makes lists from the center and radius of each sphere, in scene units; radii are positive, and
@@ -66,12 +64,9 @@ public:
    */
   double GetNumberOfSteps() const { return this->NumberOfSteps; }
 
-  /** Binds lists and spheres for vtkIndirectSphereSegments.glsl; pair with Deactivate. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
-  void Deactivate() const;
-  size_t GetBytes() const;
+  /** Binds lists and spheres for vtkIndirectSphereSegments.glsl. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
   size_t GetMainMemoryBytes() const;
-  void Release(vtkWindow* window);
 
 private:
   void SetSize(const glm::dvec3& extent, double cells);
@@ -99,8 +94,8 @@ private:
   double NumberOfSteps = 0.0;
   std::vector<glm::uvec2> Cells; // first entry and length of a list
   std::vector<glm::vec4> Lists;  // cells
-  mutable vtkIndirectDataTexture CellTexture;
-  mutable vtkIndirectDataTexture ListTexture;
+  mutable vtkIndirectDataTexture CellTexture{ this };
+  mutable vtkIndirectDataTexture ListTexture{ this };
 };
 
 #endif

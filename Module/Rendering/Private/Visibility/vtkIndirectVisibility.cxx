@@ -28,8 +28,9 @@ constexpr double DistanceOfTurn = 0.25;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectVisibility::vtkIndirectVisibility(vtkIndirectDepthMaps& maps)
-  : Volume(new vtkIndirectOccupancyVolume)
+vtkIndirectVisibility::vtkIndirectVisibility(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectResource(owner)
+  , Volume(new vtkIndirectOccupancyVolume(this))
   , DepthMaps(maps)
   , Atlas(maps.Get(vtkIndirectDepthMaps::VIRTUAL_LIGHTS))
 {
@@ -53,8 +54,7 @@ void vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
   }
   if (!volume && hadVolume)
   {
-    this->Volume->Release(frame.Window);
-    this->Volume = std::make_unique<vtkIndirectOccupancyVolume>();
+    this->Volume = std::make_unique<vtkIndirectOccupancyVolume>(this);
   }
   bool changed = false;
   if (volume)
@@ -337,7 +337,8 @@ std::string vtkIndirectVisibility::GetDefinitions() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const
+void vtkIndirectVisibility::Activate(
+  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const
 {
   if (this->LooksUpMaps())
   {
@@ -355,25 +356,6 @@ void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window, vtkShaderPro
   if (this->WalksSpheres())
   {
     this->Spheres.Activate(window, program);
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectVisibility::Deactivate() const
-{
-  if (this->LooksUpMaps())
-  {
-    this->Atlas.Deactivate();
-    this->Owners.Deactivate();
-    return;
-  }
-  if (this->WalksVoxels())
-  {
-    this->Volume->GetDistanceField().Deactivate();
-  }
-  if (this->WalksSpheres())
-  {
-    this->Spheres.Deactivate();
   }
 }
 
@@ -469,12 +451,6 @@ void vtkIndirectVisibility::AddSegmentsToReport(vtkIndirectReport& report, const
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectVisibility::GetBytes() const
-{
-  return this->Volume->GetBytes() + this->Spheres.GetBytes();
-}
-
-//------------------------------------------------------------------------------
 size_t vtkIndirectVisibility::GetMainMemoryBytes() const
 {
   return this->Volume->GetMainMemoryBytes() + this->Spheres.GetMainMemoryBytes() +
@@ -482,11 +458,8 @@ size_t vtkIndirectVisibility::GetMainMemoryBytes() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVisibility::Release(vtkWindow* window)
+void vtkIndirectVisibility::ReleaseOwn(vtkWindow* window)
 {
-  this->Volume->Release(window);
-  this->Spheres.Release(window);
   this->DepthMaps.Release(vtkIndirectDepthMaps::VIRTUAL_LIGHTS, window);
-  this->Owners.Release(window);
   this->LightsTime = 0;
 }

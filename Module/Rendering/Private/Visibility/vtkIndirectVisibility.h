@@ -7,6 +7,7 @@
 
 #include "Frame/vtkIndirectEstimate.h"             // for the needs
 #include "OpenGL/vtkIndirectDataTexture.h"         // for a member
+#include "OpenGL/vtkIndirectResource.h"            // for the base class
 #include "Visibility/vtkIndirectBlockingSpheres.h" // for the input
 #include "Visibility/vtkIndirectDepthMaps.h"       // for depth maps
 #include "Visibility/vtkIndirectSphereGrid.h"      // for a member
@@ -14,21 +15,16 @@
 #include <cstddef> // for size_t
 #include <memory>  // for the volume
 #include <string>  // for reasons
-#include <utility> // for pairs
 #include <vector>  // for maps
 
 class vtkIndirectOccupancyVolume;
 class vtkIndirectSurfaces;
 class vtkIndirectVirtualLights;
 class vtkOpenGLRenderWindow;
-class vtkProp;
-class vtkShaderProgram;
-class vtkSurfaceCapturePass;
-class vtkWindow;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
 
-class vtkIndirectVisibility
+class vtkIndirectVisibility : public vtkIndirectResource
 {
 public:
   using Needs = vtkIndirectVisibilityNeeds;
@@ -49,8 +45,8 @@ public:
     return this->WalksSegments() ? this->GetMaximumNumberOfSegments() : MaximumNumberOfSenders;
   }
 
-  explicit vtkIndirectVisibility(vtkIndirectDepthMaps& maps);
-  ~vtkIndirectVisibility();
+  vtkIndirectVisibility(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
+  ~vtkIndirectVisibility() override;
 
   /** The data that visibility is made from. */
   struct Input
@@ -92,11 +88,8 @@ public:
    * hides.
    */
   std::string GetDefinitions() const;
-  ///@{
-  /** Bind what the definitions' shaders read, or nothing if nothing hides senders; pair. */
-  void Activate(vtkOpenGLRenderWindow* window, vtkShaderProgram* program) const;
-  void Deactivate() const;
-  ///@}
+  /** Binds the textures that the definitions' shaders read, or nothing if nothing hides senders. */
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
 
   /** Returns the voxels, empty where no stage needs them. */
   const vtkIndirectOccupancyVolume& GetVolume() const { return *this->Volume; }
@@ -110,9 +103,10 @@ public:
   size_t GetNumberOfUpdates() const { return this->NumberOfUpdates; }
 
   void AddToReport(vtkIndirectReport& report) const;
-  size_t GetBytes() const;
   size_t GetMainMemoryBytes() const;
-  void Release(vtkWindow* window);
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
 
 private:
   void UpdateSpheres(const Input& input);
@@ -128,7 +122,7 @@ private:
   const vtkIndirectSurfaces* Surfaces = nullptr; // of this frame
   vtkMTimeType SurfacesTime = 0;
   size_t NumberOfUpdates = 0;
-  vtkIndirectSphereGrid Spheres;
+  vtkIndirectSphereGrid Spheres{ this };
   const vtkIndirectBlockingSpheres* Blocking = nullptr; // of this frame
   size_t SpheresTime = 0;                               // when the lists were made
   size_t NumberOfSphereUpdates = 0;
@@ -144,7 +138,7 @@ private:
   bool WithDirections = false;                   // some lights are directions
   // With fewer tiles than lights: the owner of the tile that each light looks up.
   bool Shares = false;
-  vtkIndirectDataTexture Owners;
+  vtkIndirectDataTexture Owners{ this };
 };
 
 #endif
