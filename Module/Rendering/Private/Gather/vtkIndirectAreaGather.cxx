@@ -16,7 +16,7 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannel AreaChannels[] = {
   { "area", "vtkiArea", "irradiance that comes directly from area lights", GL_RGBA32F, "-",
     "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
@@ -27,7 +27,7 @@ const vtkIndirectChannel Channels[] = {
 vtkIndirectAreaGather::vtkIndirectAreaGather(vtkIndirectDepthMaps& maps)
   : Maps(maps, vtkIndirectDepthMaps::AREA_LIGHTS)
   , Rounds(maps)
-  , Irradiance(Channels, false)
+  , Irradiance(AreaChannels, false)
 {
 }
 

@@ -13,7 +13,7 @@
 
 namespace
 {
-const vtkIndirectChannel OpenChannels[] = {
+const vtkIndirectChannel OpenSampleChannels[] = {
   { "area.open", "vtkiAreaOpen", "irradiance if nothing hid area lights; distance", GL_RGBA32F, "-",
     "VTK irradiance" },
   { "area.openFront", "vtkiAreaOpenFront", "a bit for each lamp that sends light to its side of it",
@@ -38,7 +38,7 @@ constexpr size_t LampsOfBatch = 8;
 //------------------------------------------------------------------------------
 vtkIndirectAreaSamples::vtkIndirectAreaSamples()
   : Block(LampsOfBatch, NumberOfPoints)
-  , Open(OpenChannels)
+  , Open(OpenSampleChannels)
   , Samples(SampleChannels)
 {
 }

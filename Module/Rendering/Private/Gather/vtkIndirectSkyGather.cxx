@@ -18,13 +18,13 @@
 
 namespace
 {
-const vtkIndirectChannel Channels[] = {
+const vtkIndirectChannel SkyChannels[] = {
   { "sky", "vtkiSky", "irradiance that comes directly from the environment", GL_RGBA32F, "-",
     "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
 const char* const SumMeaning = "what is seen of the directions asked; what they would give";
-const vtkIndirectChannel SumChannels[] = {
+const vtkIndirectChannel SkySumChannels[] = {
   { "sky.sums", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
@@ -35,7 +35,7 @@ const vtkIndirectChannel StillChannels[] = {
   { "sky.sums3", "vtkiSkySums3", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel OpenChannels[] = {
+const vtkIndirectChannel OpenSkyChannels[] = {
   { "sky.open", "vtkiOpenSky", "irradiance by normals if nothing hid the sky; of the directions",
     GL_RG32F, "world", "their unit" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
@@ -57,10 +57,10 @@ constexpr int StrongTexels = 1024;
 //------------------------------------------------------------------------------
 vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectDepthMaps& maps)
   : DepthMaps(maps)
-  , Irradiance(Channels, false)
-  , Sums{ { StillChannels, false }, { SumChannels, false } }
-  , Rows(SumChannels, false)
-  , OpenSky(OpenChannels, false)
+  , Irradiance(SkyChannels, false)
+  , Sums{ { StillChannels, false }, { SkySumChannels, false } }
+  , Rows(SkySumChannels, false)
+  , OpenSky(OpenSkyChannels, false)
   , Groups{ { {}, {}, StrongTexels, vtkIndirectDepthMaps::STRONG_SKY,
               maps.Get(vtkIndirectDepthMaps::STRONG_SKY) },
     { {}, {}, 0, vtkIndirectDepthMaps::SKY, maps.Get(vtkIndirectDepthMaps::SKY) } }

@@ -10,8 +10,8 @@
 
 namespace
 {
-constexpr size_t MaximumLists = 32; // VTKI_GLOSSY_LISTS
-constexpr size_t Header = 2;        // VTKI_GLOSSY_HEADER
+constexpr size_t MaximumGlossyLists = 32; // VTKI_GLOSSY_LISTS
+constexpr size_t Header = 2;              // VTKI_GLOSSY_HEADER
 
 size_t CountWords(int lights)
 {
@@ -20,7 +20,7 @@ size_t CountWords(int lights)
 }
 
 vtkIndirectGlossyLists::vtkIndirectGlossyLists()
-  : Buffer(MaximumLists)
+  : Buffer(MaximumGlossyLists)
 {
 }
 
@@ -33,7 +33,8 @@ size_t vtkIndirectGlossyLists::GetStride() const
 //------------------------------------------------------------------------------
 size_t vtkIndirectGlossyLists::GetBytes(size_t entries, int lights)
 {
-  return vtkIndirectCommandBuffer::GetBytes(MaximumLists, entries * (Header + CountWords(lights)));
+  return vtkIndirectCommandBuffer::GetBytes(
+    MaximumGlossyLists, entries * (Header + CountWords(lights)));
 }
 
 //------------------------------------------------------------------------------

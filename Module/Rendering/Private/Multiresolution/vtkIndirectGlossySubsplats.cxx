@@ -17,12 +17,12 @@ const vtkIndirectChannel LobeChannels[] = {
   { "glossy.lobe", "vtkiLevelLobe", "power of the specular lobe, state", GL_RG16F, "-", "-" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel HalfChannels[] = {
+const vtkIndirectChannel GlossyHalfChannels[] = {
   { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
 };
-const vtkIndirectChannel FloatChannels[] = {
+const vtkIndirectChannel GlossyFloatChannels[] = {
   { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA32F, "-",
     "VTK irradiance" },
   { nullptr, nullptr, nullptr, 0, nullptr, nullptr },
@@ -99,8 +99,8 @@ bool vtkIndirectGlossySubsplats::Resize(
   this->HalfFloats = halfFloats;
   while (this->Levels.size() < pyramid.GetNumberOfLevels())
   {
-    this->Levels.push_back(
-      std::make_unique<vtkIndirectTarget>(halfFloats ? HalfChannels : FloatChannels, false));
+    this->Levels.push_back(std::make_unique<vtkIndirectTarget>(
+      halfFloats ? GlossyHalfChannels : GlossyFloatChannels, false));
     this->Lobes.push_back(std::make_unique<vtkIndirectTarget>(LobeChannels, false));
   }
   for (size_t i = 0; i < this->Levels.size(); ++i)

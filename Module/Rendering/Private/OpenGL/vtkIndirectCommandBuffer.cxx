@@ -13,7 +13,7 @@ namespace
 {
 using Command = std::array<unsigned int, 4>;
 #ifdef GL_SHADER_STORAGE_BUFFER
-constexpr unsigned int Binding = 0;
+constexpr unsigned int StorageBinding = 0;
 #endif
 }
 
@@ -74,8 +74,8 @@ void vtkIndirectCommandBuffer::Activate(vtkShaderProgram* program, const char* b
 #ifdef GL_SHADER_STORAGE_BUFFER
   const auto handle = static_cast<GLuint>(program->GetHandle());
   glShaderStorageBlockBinding(
-    handle, glGetProgramResourceIndex(handle, GL_SHADER_STORAGE_BLOCK, block), Binding);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, this->Handle);
+    handle, glGetProgramResourceIndex(handle, GL_SHADER_STORAGE_BLOCK, block), StorageBinding);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, StorageBinding, this->Handle);
 #else
   (void)program, (void)block;
 #endif
@@ -85,7 +85,7 @@ void vtkIndirectCommandBuffer::Activate(vtkShaderProgram* program, const char* b
 void vtkIndirectCommandBuffer::Deactivate() const
 {
 #ifdef GL_SHADER_STORAGE_BUFFER
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, 0);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, StorageBinding, 0);
 #endif
 }
 

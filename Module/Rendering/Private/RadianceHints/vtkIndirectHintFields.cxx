@@ -27,16 +27,15 @@ namespace
 const vtkIndirectChannel DistanceChannel = { "hints.distance", "vtkiHintDistance",
   "nearest and farthest sender, share of senders that face the hint", GL_RGBA32F, "-",
   "BounceRange" };
-const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
 const vtkIndirectChannel ThreeFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
-  DistanceChannel, NoChannel };
+  DistanceChannel, {} };
 const vtkIndirectChannel SevenFields[] = { VTKI_FIELD(0), VTKI_FIELD(1), VTKI_FIELD(2),
-  VTKI_FIELD(3), VTKI_FIELD(4), VTKI_FIELD(5), VTKI_FIELD(6), DistanceChannel, NoChannel };
+  VTKI_FIELD(3), VTKI_FIELD(4), VTKI_FIELD(5), VTKI_FIELD(6), DistanceChannel, {} };
 #undef VTKI_FIELD
 
 const vtkIndirectChannel RadiosityChannels[] = {
   { "hints.radiosity", "vtkiRadiosity", "what surfaces reflect", GL_RGBA32F, "-", "VTK radiance" },
-  NoChannel,
+  {},
 };
 
 // Least area of a sender over that of a face of the hint's cell. A sender of area A is softened

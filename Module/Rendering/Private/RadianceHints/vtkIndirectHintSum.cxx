@@ -21,16 +21,15 @@
 
 namespace
 {
-const vtkIndirectChannel NoChannel = { nullptr, nullptr, nullptr, 0, nullptr, nullptr };
 const vtkIndirectChannel IrradianceChannels[] = {
   { "irradiance", "vtkiIrradiance", "indirect irradiance where a cell of pixels is mixed",
     GL_RGBA32F, "-", "VTK irradiance" },
-  NoChannel,
+  {},
 };
 const vtkIndirectChannel CoarseChannels[] = {
   { "hints.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel, kind of cell",
     GL_RGBA32F, "-", "VTK irradiance" },
-  NoChannel,
+  {},
 };
 }
 
