@@ -127,13 +127,21 @@ private:
   void Take(size_t i, const glm::dvec3& place, size_t count, Found& found) const
   {
     const glm::dvec3 apart = this->Points[this->Order[i]] - place;
-    found.emplace_back(glm::dot(apart, apart), this->Order[i]);
-    std::push_heap(found.begin(), found.end());
-    if (found.size() > count)
+    const Found::value_type taken(glm::dot(apart, apart), this->Order[i]);
+    if (found.size() < count)
+    {
+      found.push_back(taken);
+    }
+    else if (taken < found.front())
     {
       std::pop_heap(found.begin(), found.end());
-      found.pop_back();
+      found.back() = taken;
     }
+    else
+    {
+      return;
+    }
+    std::push_heap(found.begin(), found.end());
   }
 
   void Find(size_t begin, size_t end, const glm::dvec3& place, size_t count, Found& found) const
