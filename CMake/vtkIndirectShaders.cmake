@@ -41,5 +41,7 @@ ${entries}  { nullptr, nullptr },
 };
 const char* const vtkIndirectShaderTableHash = \"${hash}\";
 " @ONLY)
+  # The oracle finds the object by its name.
+  set_source_files_properties("${source}" PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
   set("${sources_var}" ${${sources_var}} "${source}" PARENT_SCOPE)
 endfunction ()

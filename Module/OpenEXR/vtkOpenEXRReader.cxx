@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The superclass's MemoryBuffer is deprecated from VTK 9.6 on, and supported here.
-#define VTK_DEPRECATION_LEVEL 0
-
 #include "vtkOpenEXRReader.h"
 
 #include "vtkErrorCode.h"

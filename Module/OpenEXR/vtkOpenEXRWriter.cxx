@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 namespace
 {
 // Exception that becomes the one error message.
-struct Failure
+struct WriteFailure
 {
   unsigned long Code; // a value of vtkErrorCode
   std::string Message;
@@ -100,7 +100,7 @@ vtkDataArray* GetScalars(const std::string& layer, vtkImageData* image, vtkImage
   {
     if (!condition)
     {
-      throw Failure{ vtkErrorCode::UserError, what + otherwise };
+      throw WriteFailure{ vtkErrorCode::UserError, what + otherwise };
     }
   };
   require(layer.empty() ||
@@ -156,7 +156,7 @@ void Replace(const char* fileName, const exr::Header& header, const exr::FrameBu
   }
   if (!file.is_open())
   {
-    throw Failure{ vtkErrorCode::CannotOpenFileError, "the file cannot be created." };
+    throw WriteFailure{ vtkErrorCode::CannotOpenFileError, "the file cannot be created." };
   }
   try
   {
@@ -177,12 +177,13 @@ void Replace(const char* fileName, const exr::Header& header, const exr::FrameBu
   file.close();
   if (file.fail())
   {
-    throw Failure{ vtkErrorCode::OutOfDiskSpaceError, "writing failed, perhaps the disk is full." };
+    throw WriteFailure{ vtkErrorCode::OutOfDiskSpaceError,
+      "writing failed, perhaps the disk is full." };
   }
   fs::rename(folder.Path / path.filename(), path, error);
   if (error)
   {
-    throw Failure{ vtkErrorCode::CannotOpenFileError,
+    throw WriteFailure{ vtkErrorCode::CannotOpenFileError,
       "the complete file cannot be given its name." };
   }
 }
@@ -239,12 +240,12 @@ int vtkOpenEXRWriter::RequestData(vtkInformation* vtkNotUsed(request),
   {
     if (!this->FileName || !*this->FileName)
     {
-      throw Failure{ vtkErrorCode::NoFileNameError, "no FileName was set." };
+      throw WriteFailure{ vtkErrorCode::NoFileNameError, "no FileName was set." };
     }
     auto images = this->Layers;
     if (!images.emplace("", input).second)
     {
-      throw Failure{ vtkErrorCode::UserError, "a layer has no name." };
+      throw WriteFailure{ vtkErrorCode::UserError, "a layer has no name." };
     }
     const bool toHalf = this->PixelType == HalfPixels;
     const exr::PixelType type = toHalf ? exr::HALF : exr::FLOAT;
@@ -277,7 +278,7 @@ int vtkOpenEXRWriter::RequestData(vtkInformation* vtkNotUsed(request),
     }
     Replace(this->FileName, header, frame);
   }
-  catch (const Failure& failure)
+  catch (const WriteFailure& failure)
   {
     this->Fail(failure.Code, failure.Message);
   }

@@ -15,6 +15,7 @@ which other programs disturb less.
 from __future__ import annotations
 
 import argparse
+import functools
 import json
 import statistics
 import sys
@@ -40,8 +41,9 @@ VIDEO_FRAMES = 8
 TEXELS = {"t": 256, "v": 512}
 
 
+@functools.cache
 def picture(edge: int, phase: float) -> vtkImageData:
-    """Make a picture as videos have them: soft shapes that move, hard edges, fine detail, bytes."""
+    """Return a picture as videos have them: soft shapes that move, hard edges, fine detail, bytes."""
     y, x = np.mgrid[0:edge, 0:edge] / edge
     values = np.empty((edge, edge, 3))
     for c in range(3):

@@ -9,7 +9,7 @@ namespace
 {
 constexpr int SurfaceSamples = 20000;
 constexpr int VolumeSamples = 100000;
-constexpr double Beside = 1e-5;
+constexpr double BesideSample = 1e-5;
 
 // Signed distance to the union of spheres: exact outside, a bound of the depth inside.
 double DistanceToUnion(const std::vector<vtkProxySphere>& spheres, const glm::dvec3& p)
@@ -45,8 +45,8 @@ void vtkProxyMeasures::Measure(const vtkProxySurface& surface, const vtkProxySol
   double squares = 0.0;
   for (const vtkProxySurface::Sample& sample : surface.MakeSamples(SurfaceSamples))
   {
-    if (solid.IsSolid(sample.Point + Beside * sample.Normal) &&
-      solid.IsSolid(sample.Point - Beside * sample.Normal))
+    if (solid.IsSolid(sample.Point + BesideSample * sample.Normal) &&
+      solid.IsSolid(sample.Point - BesideSample * sample.Normal))
     {
       continue;
     }

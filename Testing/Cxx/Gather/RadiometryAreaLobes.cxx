@@ -17,9 +17,9 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-constexpr int Texels = 32;
-using Lobe = std::function<double(const glm::dvec3& toLight, const glm::dvec3& toEye)>;
-using Picture = std::function<double(int, int)>;
+constexpr int MirrorTexels = 32;
+using LobeFunction = std::function<double(const glm::dvec3& toLight, const glm::dvec3& toEye)>;
+using TexelPicture = std::function<double(int, int)>;
 using Sight = std::function<bool(const glm::dvec3& from, const glm::dvec3& to)>;
 
 bool IsOpen(const glm::dvec3&, const glm::dvec3&)
@@ -66,22 +66,22 @@ struct MirrorScene : Scene
     this->Floor->GetProperty()->SetSpecularPower(power);
   }
 
-  void Show(const Picture& picture)
+  void Show(const TexelPicture& picture)
   {
-    this->Data->SetDimensions(Texels, Texels, 1);
+    this->Data->SetDimensions(MirrorTexels, MirrorTexels, 1);
     this->Data->AllocateScalars(VTK_FLOAT, 1);
     auto* values = static_cast<float*>(this->Data->GetScalarPointer());
-    for (int i = 0; i < Texels * Texels; ++i)
+    for (int i = 0; i < MirrorTexels * MirrorTexels; ++i)
     {
-      values[i] = static_cast<float>(picture(i % Texels, i / Texels));
+      values[i] = static_cast<float>(picture(i % MirrorTexels, i / MirrorTexels));
     }
     this->Data->Modified();
     this->Lamp->SetImage(this->Data);
   }
 
   // The integral of radiance times lobe over the directions of the lamp.
-  double Sum(const Receiver& receiver, const Lobe& lobe, int edge, const Picture& picture = IsEven,
-    const Sight& sees = IsOpen) const
+  double Sum(const Receiver& receiver, const LobeFunction& lobe, int edge,
+    const TexelPicture& picture = IsEven, const Sight& sees = IsOpen) const
   {
     const glm::dvec3 span = glm::cross(this->Edge1, this->Edge2);
     const glm::dvec3 toEye = glm::normalize(this->Eye - receiver.Position);
@@ -97,8 +97,8 @@ struct MirrorScene : Scene
         const double front = -glm::dot(d, span);
         if (front > 0.0 && sees(receiver.Position, place))
         {
-          sum += picture(i * Texels / edge, j * Texels / edge) * lobe(d / r, toEye) * front /
-            (r * r * r);
+          sum += picture(i * MirrorTexels / edge, j * MirrorTexels / edge) * lobe(d / r, toEye) *
+            front / (r * r * r);
         }
       }
     }
@@ -107,7 +107,7 @@ struct MirrorScene : Scene
 };
 
 // Receivers are floors with the normal (0, 0, 1). VTK's own lobe, in its units.
-Lobe MakePower(double specular, double power)
+LobeFunction MakePower(double specular, double power)
 {
   return [=](const glm::dvec3& toLight, const glm::dvec3& toEye)
   {
@@ -118,7 +118,7 @@ Lobe MakePower(double specular, double power)
 }
 
 // D V F cosL of VTK's PBR.
-Lobe MakePhysical(double straight, double roughness)
+LobeFunction MakePhysical(double straight, double roughness)
 {
   return [=](const glm::dvec3& light, const glm::dvec3& view)
   {
@@ -154,7 +154,7 @@ VTK_INDIRECT_TEST(AreaLobeOfPhong)
     for (const double power : { 1.0, 10.0, 60.0, 100.0 })
     {
       scene.SetPower(0.5, power);
-      const Lobe lobe = MakePower(0.5, power);
+      const LobeFunction lobe = MakePower(0.5, power);
       for (const bool moving : { false, true })
       {
         scene.SetMoving(moving);
@@ -196,7 +196,7 @@ VTK_INDIRECT_TEST(AreaLobeOfPBR)
       const double straight = specular.At(12, 12)[0];
       CheckAbsolute("F0", straight, eye.Metallic > 0.5 ? 0.9 : 0.04, 1e-3, "half floats");
       CheckAbsolute("roughness", specular.At(12, 12)[3], -roughness, 1e-3, "half floats");
-      const Lobe lobe = MakePhysical(straight, roughness);
+      const LobeFunction lobe = MakePhysical(straight, roughness);
       CompareLight(
         scene, "glossy", OnFloor,
         [&](const auto& r) { return scene.Sum(r, lobe, roughness < 0.2 ? 300 : 80); },
@@ -213,13 +213,13 @@ VTK_INDIRECT_TEST(AreaLobeOfImages)
   auto step = [](int x, int) { return x < 10 ? 2.0 : 0.2; };
   auto checkers = [](int x, int y) { return (x / 4 + y / 4) % 2 ? 1.0 : 0.0; };
   MirrorScene scene(24, 1.5);
-  for (const Picture& picture : { Picture(step), Picture(checkers) })
+  for (const TexelPicture& picture : { TexelPicture(step), TexelPicture(checkers) })
   {
     scene.Show(picture);
     for (const double power : { 4.0, 20.0, 100.0 })
     {
       scene.SetPower(1.0, power);
-      const Lobe lobe = MakePower(1.0, power);
+      const LobeFunction lobe = MakePower(1.0, power);
       CompareLight(
         scene, "glossy", OnFloor, [&](const auto& r) { return scene.Sum(r, lobe, 96, picture); },
         { 0.03, 0.2, "parts of the image are weighed by a lobe of other tails" },
@@ -228,7 +228,7 @@ VTK_INDIRECT_TEST(AreaLobeOfImages)
     scene.Floor->GetProperty()->SetInterpolationToPBR();
     scene.Floor->GetProperty()->SetMetallic(1.0);
     scene.Floor->GetProperty()->SetRoughness(0.3);
-    const Lobe lobe = MakePhysical(0.9, 0.3);
+    const LobeFunction lobe = MakePhysical(0.9, 0.3);
     CompareLight(
       scene, "glossy", OnFloor, [&](const auto& r) { return scene.Sum(r, lobe, 160, picture); },
       { 0.05, 0.12, "the fit's own error" }, "PBR");
@@ -252,7 +252,7 @@ VTK_INDIRECT_TEST(AreaLobeIsHidden)
   for (const double power : { 4.0, 20.0, 60.0 })
   {
     scene.SetPower(1.0, power);
-    const Lobe lobe = MakePower(1.0, power);
+    const LobeFunction lobe = MakePower(1.0, power);
     for (const bool moving : { false, true })
     {
       scene.SetMoving(moving);

@@ -109,7 +109,7 @@ struct ShadowScene : Scene
   }
 };
 
-bool OnFloor(const Scene::Receiver& r)
+bool OnGround(const Scene::Receiver& r)
 {
   return std::abs(r.Position.z) < 1e-3 && r.Normal.z > 0.99;
 }
@@ -130,11 +130,11 @@ VTK_INDIRECT_TEST(AreaShadowsOfBoxes)
     scene.AddOccluder({ 0.2, -0.1, 0.0 }, { 0.3, 0.8, 0.5 });
     const std::string name = "floor of " + std::to_string(floor);
     CompareLight(
-      scene, "area", OnFloor, [&](const auto& r) { return scene.Sum(r); },
+      scene, "area", OnGround, [&](const auto& r) { return scene.Sum(r); },
       { 5e-3, 0.01, "64 points" }, name + ", first frame");
     CheckEqual("frames: a round of points each", scene.Finish(), 15);
     CompareLight(
-      scene, "area", OnFloor, [&](const auto& r) { return scene.Sum(r); },
+      scene, "area", OnGround, [&](const auto& r) { return scene.Sum(r); },
       { 2e-3, 6e-3, "1024 points, texels of a 256th of what boxes fill" }, name + ", all rounds");
     const Image light = scene.Copy("area");
     const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
@@ -142,7 +142,7 @@ VTK_INDIRECT_TEST(AreaShadowsOfBoxes)
     std::vector<double> errors;
     for (size_t i = 0; i < receivers.size(); ++i)
     {
-      if (receivers[i].Lit && OnFloor(receivers[i]))
+      if (receivers[i].Lit && OnGround(receivers[i]))
       {
         const double sum = scene.Sum(receivers[i]);
         most = std::max(most, sum);
@@ -175,7 +175,7 @@ VTK_INDIRECT_TEST(AreaShadowsAtGrazingAngles)
     scene.AddOccluder({ -0.3, -0.3, 0.0 }, { 0.1, 0.3, 0.6 });
     scene.Finish();
     CompareLight(
-      scene, "area", OnFloor, [&](const auto& r) { return scene.Sum(r); },
+      scene, "area", OnGround, [&](const auto& r) { return scene.Sum(r); },
       { 5e-3, 0.03, "1024 points" }, std::to_string(static_cast<int>(degrees)) + " degrees");
   }
 }
@@ -190,7 +190,7 @@ VTK_INDIRECT_TEST(AreaShadowsOfUnlikeLamps)
   scene.AddOccluder({ -0.3, -0.3, 0.0 }, { 0.1, 0.3, 0.8 });
   scene.Finish();
   // Nearer to the large lamp the reference has too few points.
-  auto counts = [](const Scene::Receiver& r) { return OnFloor(r) && r.Position.x < 1.0; };
+  auto counts = [](const Scene::Receiver& r) { return OnGround(r) && r.Position.x < 1.0; };
   CompareLight(
     scene, "area", counts, [&](const auto& r) { return scene.Sum(r); }, { 3e-3, 0.02, Origin },
     "still");

@@ -21,7 +21,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-const glm::dvec3 White(0.8);
+const glm::dvec3 WhiteFloor(0.8);
 
 // Update rates at which a frame of 80,000 triangles has time for 8 maps, for 128, for 129 with a
 // still camera, and for 769.
@@ -37,11 +37,11 @@ struct SkyScene : Scene
   SkyScene(vtkEnvironmentLight* sky, bool open)
     : Scene(96, 72)
   {
-    this->Ball = this->AddSphere({ 1.2, 0.5, 1.2 }, 0.5, 200, White);
+    this->Ball = this->AddSphere({ 1.2, 0.5, 1.2 }, 0.5, 200, WhiteFloor);
     if (!open)
     {
-      this->AddQuad({ -2, 0, 2 }, { 2, 0, 2 }, { -2, 0, -2 }, White);
-      this->AddDisk({ 0, 0.6, 0 }, { 0, 1, 0 }, 1.0, 128, White);
+      this->AddQuad({ -2, 0, 2 }, { 2, 0, 2 }, { -2, 0, -2 }, WhiteFloor);
+      this->AddDisk({ 0, 0.6, 0 }, { 0, 1, 0 }, 1.0, 128, WhiteFloor);
     }
     this->SetEye({ 0, 1.5, 6 }, { 0, 0.2, 0 }, { 0, 1, 0 }, 34, 0.1, 20);
     this->Pass->SetVisibilityToAuto();

@@ -14,8 +14,6 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-const glm::dvec3 Albedo(0.75, 0.5, 0.25);
-
 // Solid angle of a rectangle, a corner of which lies at distance d in front of the eye.
 double RectangleAngle(double a, double b, double d)
 {

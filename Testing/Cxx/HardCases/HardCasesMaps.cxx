@@ -29,7 +29,6 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-const glm::dvec3 Albedo(0.75, 0.5, 0.25);
 using Polygon = std::vector<glm::dvec3>;
 
 // 64 virtual lights of each kind and the sky, all of them with maps.

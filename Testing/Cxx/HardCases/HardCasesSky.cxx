@@ -21,8 +21,6 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-const glm::dvec3 Albedo(0.75, 0.5, 0.25);
-
 // Renders once with every estimator that works without a light's map.
 void ForEstimators(HardCase& scene, const std::function<void(const EstimatorEntry&)>& check)
 {

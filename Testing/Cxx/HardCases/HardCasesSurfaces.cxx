@@ -16,8 +16,6 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-const glm::dvec3 Albedo(0.75, 0.5, 0.25);
-
 // Irradiance and direct light with each estimator.
 using Results = std::map<std::string, Image>;
 

@@ -10,8 +10,6 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-const glm::dvec3 Albedo(0.75, 0.5, 0.25);
-
 void AddRoom(HardCase& scene)
 {
   scene.AddCorner(Albedo);

@@ -11,6 +11,9 @@
 
 namespace vtkIndirectTest
 {
+/** Diffuse reflectance of most surfaces. */
+const glm::dvec3 Albedo(0.75, 0.5, 0.25);
+
 struct HardCase : Scene
 {
   explicit HardCase(const std::string& name, int width = 40, int height = 30);

@@ -21,7 +21,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-constexpr double Least = 1e-4;
+constexpr double LeastOfFinest = 1e-4;
 constexpr int Frames = 30;
 
 void SetFinest(MultiresolutionScene& scene, bool half)
@@ -57,7 +57,7 @@ VTK_INDIRECT_TEST(FinestIsGather)
       // Below 2^-14 of the unit of storage, each component of half floats is a multiple of 2^-24.
       const double floor =
         half ? std::exp2(-13.0) * vtkIndirectSum::Get(scene.Splatting).GetIrradianceUnit() : 0.0;
-      const ImageError error = Compare(image, expected, Least, floor);
+      const ImageError error = Compare(image, expected, LeastOfFinest, floor);
       worst[half] = std::max(worst[half], error.Worst);
       lit += error.Mean > 0.0 ? 1 : 0;
       fullest = std::max(fullest, error.Mean);
@@ -86,11 +86,11 @@ VTK_INDIRECT_TEST(ManyLights)
     const Image image = scene.Splat();
     const std::string what = std::to_string(lights) + " lights: ";
     CheckAtMost(what + "worst relative difference to the gather",
-      Compare(image, expected, Least).Worst, 1e-5, "the order of sums");
+      Compare(image, expected, LeastOfFinest).Worst, 1e-5, "the order of sums");
     // The test can tell one light less.
     scene.Sampler->SetNumberOfLights(lights - 1);
     CheckAtLeast(what + "the same with one light less",
-      Compare(image, scene.GatherAll(), Least).Worst, 1e-4, "the test's own power");
+      Compare(image, scene.GatherAll(), LeastOfFinest).Worst, 1e-4, "the test's own power");
   }
 }
 
@@ -111,9 +111,9 @@ VTK_INDIRECT_TEST(Views)
       scene.Sampler->SetNumberOfLights(200);
       const Image expected = scene.GatherAll();
       const std::string what = scene.Name + (parallel ? ", parallel eye: " : ": ");
-      const ImageError coarse = Compare(scene.Splat(), expected, Least);
+      const ImageError coarse = Compare(scene.Splat(), expected, LeastOfFinest);
       SetFinest(scene, false);
-      const ImageError fine = Compare(scene.Splat(), expected, Least);
+      const ImageError fine = Compare(scene.Splat(), expected, LeastOfFinest);
       CheckAtLeast(what + "mean irradiance", fine.Mean, 1e-3, "the test's own power");
       CheckAtMost(
         what + "worst relative difference at the finest", fine.Worst, 1e-5, "the order of sums");

@@ -38,7 +38,7 @@ struct LeafFrame : RandomFrame
 };
 
 // Odd, prime, lines, single pixels.
-const std::vector<FrameSize> Sizes = { { 97, 61 }, { 127, 89 }, { 131, 1 }, { 1, 67 }, { 1, 1 },
+const std::vector<FrameSize> LeafSizes = { { 97, 61 }, { 127, 89 }, { 131, 1 }, { 1, 67 }, { 1, 1 },
   { 2, 3 }, { 64, 64 }, { 101, 37 } };
 }
 
@@ -53,7 +53,7 @@ VTK_INDIRECT_TEST(LeavesCoverOnce)
   int listed = 0;
   for (int number = 0; number < 16; ++number)
   {
-    LeafFrame scene(1000 + number, Sizes[number % Sizes.size()]);
+    LeafFrame scene(1000 + number, LeafSizes[number % LeafSizes.size()]);
     PyramidReader* const reader = scene.Reader;
     SET_DETAIL(reader, Balance, number % 3 != 0);
     SET_DETAIL(reader, DepthRange, number % 4 == 3);
@@ -99,7 +99,7 @@ VTK_INDIRECT_TEST(LeavesBalanced)
   int steps[2] = {};
   for (int number = 0; number < 16; ++number)
   {
-    LeafFrame scene(1100 + number, Sizes[number % 2]);
+    LeafFrame scene(1100 + number, LeafSizes[number % 2]);
     PyramidReader* const reader = scene.Reader;
     reader->SetFinestLevel(number % 5 == 4 ? Pass::HALF_RESOLUTION : Pass::FULL_RESOLUTION);
     SET_DETAIL(reader, DepthRange, number % 4 == 3);
@@ -326,7 +326,7 @@ VTK_INDIRECT_TEST(LeavesOfThePaper)
   Comparison sheets;
   for (int number = 0; number < 6; ++number)
   {
-    MultiresolutionScene scene(Sizes[number % 2].Width, Sizes[number % 2].Height);
+    MultiresolutionScene scene(LeafSizes[number % 2].Width, LeafSizes[number % 2].Height);
     vtkNew<PyramidReader> reader;
     Random random(1200 + static_cast<std::uint64_t>(number));
     scene.AddQuad({ -1, -1, 0 }, { 1, -1, 0 }, { -1, 1, 0 }, glm::dvec3(0.75));
@@ -357,7 +357,7 @@ VTK_INDIRECT_TEST(LeavesOfThePaper)
   Comparison plain;
   for (int number = 0; number < 12; ++number)
   {
-    LeafFrame scene(1250 + number, Sizes[number % 2]);
+    LeafFrame scene(1250 + number, LeafSizes[number % 2]);
     PyramidReader* const reader = scene.Reader;
     SetToPaper(reader);
     reader->SetDepthThreshold(number % 3 ? 0.02 : 0.1);
@@ -386,7 +386,7 @@ VTK_INDIRECT_TEST(LeavesOfRenderers)
   bool compared = false;
   for (int number = 0; number < 12; ++number)
   {
-    RandomFrame scene(1300 + number, Sizes[number % 2 ? 1 : number % Sizes.size()],
+    RandomFrame scene(1300 + number, LeafSizes[number % 2 ? 1 : number % LeafSizes.size()],
       static_cast<FrameLight>(number % NumberOfFrameLights));
     scene.Sampler->SetNumberOfLights(64);
     scene.Pass->SetReflectiveShadowMapResolution(64);

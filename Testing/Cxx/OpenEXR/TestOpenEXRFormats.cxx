@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The reader with files of the OpenEXR library.
 
-// One test sets the MemoryBuffer, which VTK 9.6 deprecates.
-#define VTK_DEPRECATION_LEVEL 0
-
 #include "OpenEXRLibraryFiles.h"
 
 #include "vtkStringArray.h"

@@ -52,7 +52,7 @@ double CoveredArea(const std::vector<Silhouette::Ball>& balls)
   return sum * 4.0 * size * size / (places * places * directions) / 3.14159265358979;
 }
 
-vtkiHarmonics4 Zero()
+vtkiHarmonics4 ZeroHarmonics()
 {
   vtkiHarmonics4 f;
   f.A = f.B = f.C = f.D = vec4(0.0f);
@@ -169,7 +169,7 @@ VTK_INDIRECT_TEST(ProxySharesAtRandom)
     double measured = 0.0;
     for (int set = 0; set < sets; ++set)
     {
-      vtkiHarmonics4 sum = Zero();
+      vtkiHarmonics4 sum = ZeroHarmonics();
       for (int i = 0; i < count; ++i)
       {
         sum = vtkiHarmonicsAdd(sum, 1.0f, vtkiZonalTo(zonal, vec3(random.NextDirection())));
@@ -195,7 +195,7 @@ VTK_INDIRECT_TEST(ProxySmallSpheresAtRandom)
     double measured = 0.0;
     for (int set = 0; set < sets; ++set)
     {
-      vtkiHarmonics4 sum = Zero();
+      vtkiHarmonics4 sum = ZeroHarmonics();
       for (int i = 0; i < count; ++i)
       {
         sum =
@@ -221,7 +221,7 @@ VTK_INDIRECT_TEST(ProxyDrawnSpheresNearby)
     sum = vtkiHarmonicsAdd(sum, vtkiProxyAbove(d.z, sine), vtkiZonalTo(Logarithm(sine), d));
   };
   const glm::dvec3 own(0.0, 0.0, -1.0005);
-  vtkiHarmonics4 sum = Zero();
+  vtkiHarmonics4 sum = ZeroHarmonics();
   add(sum, own);
   CheckAbsolute("its own surface", Irradiance(sum), 1.0, 1e-4,
     "what is below hides nothing; a hemisphere of order 4 would ring by 0.011");
@@ -240,7 +240,7 @@ VTK_INDIRECT_TEST(ProxyDrawnSpheresNearby)
         std::sqrt(1.0 - share));
       exact += glm::dot(way, d) < cosine ? 1.0 / ways : 0.0;
     }
-    sum = Zero();
+    sum = ZeroHarmonics();
     add(sum, own);
     add(sum, 1.01 * d);
     CheckAbsolute("beside one whose center is at " + std::to_string(height), Irradiance(sum), exact,

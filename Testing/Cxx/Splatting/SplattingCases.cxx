@@ -19,12 +19,6 @@
 
 using namespace vtkIndirectTest;
 
-namespace
-{
-constexpr double Least = 1e-4;
-
-}
-
 VTK_INDIRECT_TEST(FarFieldKeepsMean)
 {
   double worst = 0.0;

@@ -23,7 +23,6 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-constexpr double Least = 1e-4;
 // In a plane with a light a receiver's cosine is rounding, which a wide lobe does not reduce.
 constexpr double LeastOfLobes = 5e-3;
 

@@ -17,11 +17,6 @@
 
 using namespace vtkIndirectTest;
 
-namespace
-{
-constexpr double Least = 1e-4;
-}
-
 VTK_INDIRECT_TEST(AllIsGather)
 {
   double worst[NumberOfSplatWays] = {};

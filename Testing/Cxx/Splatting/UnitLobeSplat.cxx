@@ -64,7 +64,7 @@ struct Lobe
 };
 
 /** Place of a point relative to an ellipsoid, in double precision: 1 on it, more outside. */
-double FindPlace(const vtkiSplat& splat, const glm::dvec3& p)
+double FindLobePlace(const vtkiSplat& splat, const glm::dvec3& p)
 {
   const glm::dvec3 d = p - glm::dvec3(splat.center);
   const double along = glm::dot(d, glm::dvec3(splat.axis));
@@ -123,8 +123,8 @@ VTK_INDIRECT_TEST(LobeSplatHoldsKernel)
           {
             lost += splat.across > 0.0f ? 0 : 1;
             const glm::dvec3 place = lobe.GetPlace(distance, edge);
-            farthest = std::max(farthest, FindPlace(splat, place));
-            asPaper = std::max(asPaper, FindPlace(paper, place));
+            farthest = std::max(farthest, FindLobePlace(splat, place));
+            asPaper = std::max(asPaper, FindLobePlace(paper, place));
           }
         }
         none += splat.across > 0.0f ? 0 : 1;
@@ -172,7 +172,7 @@ VTK_INDIRECT_TEST(LobeSplatAnywhere)
       if (edge >= 0.0 && glm::length(place) <= 0.5)
       {
         const double rounding = 2e-7 / std::min(splat.along, splat.across);
-        outside = std::max(outside, FindPlace(splat, place) - rounding);
+        outside = std::max(outside, FindLobePlace(splat, place) - rounding);
       }
     }
     const vtkiSplat ball =

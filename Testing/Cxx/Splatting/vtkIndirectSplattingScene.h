@@ -23,6 +23,8 @@ enum class SplatWay
   ELLIPSOIDS
 };
 constexpr int NumberOfSplatWays = 2;
+/** Pixels below this share of the brightest one are not compared. */
+constexpr double Least = 1e-4;
 inline const char* GetName(SplatWay way)
 {
   return way == SplatWay::TILES ? "tiles" : "ellipsoids";

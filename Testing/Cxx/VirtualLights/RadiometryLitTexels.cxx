@@ -15,7 +15,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-int CountDark(const std::vector<VirtualLight>& lights)
+int CountUnlit(const std::vector<VirtualLight>& lights)
 {
   int dark = 0;
   for (const VirtualLight& light : lights)
@@ -25,7 +25,7 @@ int CountDark(const std::vector<VirtualLight>& lights)
   return dark;
 }
 
-glm::dvec3 Sum(const std::vector<VirtualLight>& lights)
+glm::dvec3 SumLight(const std::vector<VirtualLight>& lights)
 {
   glm::dvec3 sum(0.0);
   for (const VirtualLight& light : lights)
@@ -66,7 +66,7 @@ VTK_INDIRECT_TEST(LitTexelsSumExactly)
   {
     scene.Pass->SetReflectiveShadowMapResolution(resolution);
     // In a map of more than 256 texels one texel represents several.
-    const glm::dvec3 all = resolution <= 256 ? Sum(scene.Draw(true)) : glm::dvec3(0.0);
+    const glm::dvec3 all = resolution <= 256 ? SumLight(scene.Draw(true)) : glm::dvec3(0.0);
     for (const int pattern : { 0, 1, 2 })
     {
       for (const int count : { 1, 7, 64, 1000 })
@@ -76,10 +76,10 @@ VTK_INDIRECT_TEST(LitTexelsSumExactly)
         const std::vector<VirtualLight> lights = scene.Draw(false);
         const std::string what = std::to_string(resolution) + " texels, pattern " +
           std::to_string(pattern) + ", " + std::to_string(count) + " lights: ";
-        CheckEqual(what + "lights without light", CountDark(lights), 0);
+        CheckEqual(what + "lights without light", CountUnlit(lights), 0);
         if (resolution <= 256)
         {
-          CheckRelative(what + "sum", Sum(lights).x, all.x, 2e-6 + 1e-4 * (resolution == 3),
+          CheckRelative(what + "sum", SumLight(lights).x, all.x, 2e-6 + 1e-4 * (resolution == 3),
             "rounding of weights; of half floats where one texel is a plane's edge");
         }
       }
@@ -101,22 +101,23 @@ VTK_INDIRECT_TEST(LitTexelsConverge)
     point ? (void)scene.AddBox({ -3, -3, 3 }, { -2.5, -2.5, 3.2 }, { 0, 0, 0 }) : (void)0;
     scene.Pass->SetReflectiveShadowMapResolution(128);
     const std::vector<VirtualLight> texels = scene.Draw(true);
-    const double all = Sum(texels).x;
-    const double dark = static_cast<double>(CountDark(texels)) / static_cast<double>(texels.size());
+    const double all = SumLight(texels).x;
+    const double dark =
+      static_cast<double>(CountUnlit(texels)) / static_cast<double>(texels.size());
     const std::string what = point ? "point light: " : "spot: ";
     CheckAtLeast(what + "share of dark texels", dark, 0.5, "the test's own power");
     for (const int count : { 64, 256, 4096 })
     {
       scene.Sampler->SetNumberOfLights(count);
       const std::vector<VirtualLight> lights = scene.Draw(false);
-      CheckEqual(what + std::to_string(count) + " lights without light", CountDark(lights), 0);
+      CheckEqual(what + std::to_string(count) + " lights without light", CountUnlit(lights), 0);
       CheckRelative(what + std::to_string(count) + " lights, sum over that of all texels",
-        Sum(lights).x, all, count < 4096 ? 0.05 : 5e-3,
+        SumLight(lights).x, all, count < 4096 ? 0.05 : 5e-3,
         "stratified samples of what varies by half; measured 0.02, 0.005, 0.001");
     }
     scene.Sampler->LitTexelsOff();
     scene.Sampler->SetNumberOfLights(256);
-    CheckAtLeast(what + "over whole maps: lights without light", CountDark(scene.Draw(false)), 100,
+    CheckAtLeast(what + "over whole maps: lights without light", CountUnlit(scene.Draw(false)), 100,
       "the test's own power");
   }
 }
@@ -130,18 +131,18 @@ VTK_INDIRECT_TEST(LitTexelsNothingLit)
   scene.AddSpot({ 5.5, 5.5, 4.0 }, { 5.5, 5.5, 0.0 }, 5.0, 0.0, { 1, 0, 0 });
   scene.AddDirectional({ 0, 0, -1 });
   scene.Pass->SetReflectiveShadowMapResolution(64);
-  const double all = Sum(scene.Draw(true)).x;
+  const double all = SumLight(scene.Draw(true)).x;
   scene.Sampler->SetNumberOfLights(128);
   const std::vector<VirtualLight> lights = scene.Draw(false);
   CheckEqual("lights", static_cast<double>(lights.size()), 128);
-  CheckEqual("lights without light", CountDark(lights), 64);
-  CheckRelative("sum", Sum(lights).x, all, 1e-5, "rounding");
+  CheckEqual("lights without light", CountUnlit(lights), 64);
+  CheckRelative("sum", SumLight(lights).x, all, 1e-5, "rounding");
   scene.CheckBuffers(2);
   for (const double intensity : { 1e-9, 1e6 })
   {
     scene.SetIntensities(intensity);
-    CheckRelative("sum at " + std::to_string(intensity), Sum(scene.Draw(false)).x, intensity * all,
-      1e-5, "rounding");
+    CheckRelative("sum at " + std::to_string(intensity), SumLight(scene.Draw(false)).x,
+      intensity * all, 1e-5, "rounding");
   }
 }
 

@@ -23,15 +23,15 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-const glm::dvec3 Albedo(0.8, 0.4, 0.2);
+const glm::dvec3 BounceAlbedo(0.8, 0.4, 0.2);
 using Polygon = std::vector<glm::dvec3>;
 
 // A scene lit only by a sky.
-struct SkyScene : Scene
+struct SkyBounceScene : Scene
 {
   vtkNew<vtkEnvironmentLight> Sky;
 
-  SkyScene(int width, int height)
+  SkyBounceScene(int width, int height)
     : Scene(width, height)
   {
     this->Pass->SetEnvironment(this->Sky);
@@ -68,7 +68,7 @@ double SumPatches(
 
 void AddRoom(Scene& scene)
 {
-  scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, Albedo);
+  scene.AddQuad({ 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, BounceAlbedo);
   scene.AddQuad({ 0, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 }, { 0.3, 0.6, 0.9 });
   scene.AddBox({ 0.6, 0.0, 0.2 }, { 0.9, 0.5, 0.5 }, { 0.9, 0.9, 0.3 });
   scene.SetEye({ 2.2, 1.6, 2.3 }, { 0.4, 0.3, 0.4 }, { 0, 1, 0 }, 36, 0.5, 6);
@@ -81,9 +81,9 @@ VTK_INDIRECT_TEST(SkyBouncesInAGroove)
   const double s = std::sqrt(0.5);
   const Polygon right = { { s, s, -1 }, { s, s, 1 }, { 0, 0, 1 }, { 0, 0, -1 } };
   const glm::dvec3 leftNormal(s, s, 0.0);
-  SkyScene scene(96, 96);
-  scene.AddQuad({ -s, s, 1 }, { 0, 0, 1 }, { -s, s, -1 }, Albedo);
-  scene.AddQuad({ 0, 0, 1 }, { s, s, 1 }, { 0, 0, -1 }, Albedo);
+  SkyBounceScene scene(96, 96);
+  scene.AddQuad({ -s, s, 1 }, { 0, 0, 1 }, { -s, s, -1 }, BounceAlbedo);
+  scene.AddQuad({ 0, 0, 1 }, { s, s, 1 }, { 0, 0, -1 }, BounceAlbedo);
   scene.SetEye({ 0, 5, 0.01 }, { 0, 0, 0 }, { 0, 0, -1 }, 16, 0.1, 10);
   scene.Sky->SetRadiance(2.0, 1.0, 0.5);
 
@@ -96,7 +96,7 @@ VTK_INDIRECT_TEST(SkyBouncesInAGroove)
       const double u = (i + 0.5) / rows;
       const glm::dvec3 p(-s * u, s * u, (j + 0.5) / rows - 1.0);
       const double irradiance = 2.0 * (1.0 - PolygonFormFactor(p, leftNormal, right));
-      patches.push_back({ p, Albedo.x * irradiance / rows / rows });
+      patches.push_back({ p, BounceAlbedo.x * irradiance / rows / rows });
     }
   }
   auto counts = [](const Scene::Receiver& r) { return r.Position.x > 0.07; };
@@ -122,19 +122,19 @@ VTK_INDIRECT_TEST(SkyBouncesInAGroove)
 // uniform sky every point sees half of the sky, and half of the pit.
 VTK_INDIRECT_TEST(SkyBouncesInAPit)
 {
-  SkyScene scene(64, 64);
+  SkyBounceScene scene(64, 64);
   vtkNew<vtkSphereSource> pit;
   pit->SetRadius(1.0);
   pit->SetThetaResolution(96);
   pit->SetPhiResolution(49);
   pit->SetStartPhi(90.0);
   pit->SetEndPhi(180.0);
-  scene.AddSource(pit, Albedo);
+  scene.AddSource(pit, BounceAlbedo);
   scene.SetEye({ 0, 0, 5 }, { 0, 0, 0 }, { 0, 1, 0 }, 22, 0.1, 10);
   scene.Sky->SetRadiance(2.0, 1.0, 0.5);
   auto counts = [](const Scene::Receiver& r)
   { return r.Position.z < -0.05 && glm::dot(r.Position, r.Normal) < 0.0; };
-  auto expect = [](const Scene::Receiver&) { return Albedo.x * 2.0 / 4.0; };
+  auto expect = [](const Scene::Receiver&) { return BounceAlbedo.x * 2.0 / 4.0; };
   CompareBounce(scene, "all texels", counts, expect,
     { 0.02, 0.03, "32 directions, each hard; maps of 64 texels" });
   scene.Gather->SetModeToVirtualLights();
@@ -217,7 +217,7 @@ VTK_INDIRECT_TEST(SkyBouncesBesideLights)
       Image images[3]; // the sky's, the light's, both
       for (int which = 0; which < 3; ++which)
       {
-        SkyScene scene(64, 48);
+        SkyBounceScene scene(64, 48);
         AddRoom(scene);
         scene.Gather->SetModeToVirtualLights();
         scene.Pass->SetVisibility(
@@ -265,9 +265,9 @@ VTK_INDIRECT_TEST(SkyBouncesBesideLights)
 
 VTK_INDIRECT_TEST(SkyBouncesAreKept)
 {
-  SkyScene scene(48, 36);
+  SkyBounceScene scene(48, 36);
   AddRoom(scene);
-  vtkActor* ball = scene.AddSphere({ 0.4, 0.2, 0.7 }, 0.1, 24, Albedo);
+  vtkActor* ball = scene.AddSphere({ 0.4, 0.2, 0.7 }, 0.1, 24, BounceAlbedo);
   scene.Gather->SetModeToVirtualLights();
   scene.Pass->SetVisibilityToMaps();
   scene.Render();

@@ -15,7 +15,7 @@ using namespace vtkIndirectTest;
 
 namespace
 {
-using Clusters = vtkIndirectAreaClusters;
+using AreaClusters = vtkIndirectAreaClusters;
 
 // Pixels of colours, on a rectangle of 2 by 1.
 struct Picture
@@ -39,9 +39,9 @@ struct Picture
     }
   }
 
-  Clusters::Image GetImage() const
+  AreaClusters::Image GetImage() const
   {
-    Clusters::Image image;
+    AreaClusters::Image image;
     image.Corner = { 0.0, 0.0, 1.0 };
     image.Edge1 = { 2.0, 0.0, 0.0 };
     image.Edge2 = { 0.0, 1.0, 0.0 };
@@ -62,10 +62,10 @@ struct Picture
   }
 };
 
-glm::dvec3 Sum(const std::vector<Clusters::Light>& lights)
+glm::dvec3 Sum(const std::vector<AreaClusters::Light>& lights)
 {
   glm::dvec3 sum(0.0);
-  for (const Clusters::Light& light : lights)
+  for (const AreaClusters::Light& light : lights)
   {
     sum += light.RadianceArea;
   }
@@ -90,8 +90,8 @@ VTK_INDIRECT_TEST(AreaClustersKeepTheLight)
       std::to_string(picture.Columns) + " x " + std::to_string(picture.Rows) + ": ";
     for (const int count : { 1, 16, 256 })
     {
-      const std::vector<Clusters::Light> lights =
-        Clusters::MakeLights({ picture.GetImage() }, count);
+      const std::vector<AreaClusters::Light> lights =
+        AreaClusters::MakeLights({ picture.GetImage() }, count);
       CheckAtMost(name + "lights of " + std::to_string(count), static_cast<double>(lights.size()),
         count, "as asked for");
       const glm::dvec3 sum = Sum(lights);
@@ -109,10 +109,10 @@ VTK_INDIRECT_TEST(AreaClustersAreWhereTheLightIs)
 {
   // Even radiance: pieces of equal size, as nearly square as halving allows.
   const Picture even(1, 1, [](int, int) { return glm::dvec3(3.0); });
-  std::vector<Clusters::Light> lights = Clusters::MakeLights({ even.GetImage() }, 128);
+  std::vector<AreaClusters::Light> lights = AreaClusters::MakeLights({ even.GetImage() }, 128);
   CheckEqual("pieces of a rectangle", static_cast<double>(lights.size()), 128);
   double worst = 0.0;
-  for (const Clusters::Light& light : lights)
+  for (const AreaClusters::Light& light : lights)
   {
     worst = std::max(worst, std::abs(light.Area / (2.0 / 128.0) - 1.0));
     // Middles of a grid of 16 by 8.
@@ -126,26 +126,26 @@ VTK_INDIRECT_TEST(AreaClustersAreWhereTheLightIs)
   // A single bright pixel is one light of its own size, for any number of lights.
   const Picture spark(
     300, 200, [](int x, int y) { return glm::dvec3(x == 123 && y == 45 ? 7.0 : 0.0); });
-  lights = Clusters::MakeLights({ spark.GetImage() }, 256);
+  lights = AreaClusters::MakeLights({ spark.GetImage() }, 256);
   CheckEqual("a bright pixel", static_cast<double>(lights.size()), 1);
   CheckAbsolute("its place", lights[0].Position.x, 2.0 * 123.5 / 300.0, 1e-9, "rounding");
   CheckAbsolute("its row", lights[0].Position.y, 45.5 / 200.0, 1e-9, "rounding");
   CheckRelative("its area", lights[0].Area, 2.0 / 60000.0, 1e-9, "rounding");
-  lights = Clusters::MakeLights({ spark.GetImage() }, 1);
+  lights = AreaClusters::MakeLights({ spark.GetImage() }, 1);
   CheckRelative("and by itself in a dark piece", lights[0].Area, 2.0 / 60000.0, 1e-9, "rounding");
 
   // A step: light comes only from the bright side.
   const Picture step(100, 60, [](int x, int) { return glm::dvec3(x < 25 ? 1.0 : 0.0); });
-  for (const Clusters::Light& light : Clusters::MakeLights({ step.GetImage() }, 64))
+  for (const AreaClusters::Light& light : AreaClusters::MakeLights({ step.GetImage() }, 64))
   {
     Check("the bright side", light.Position.x < 0.5);
   }
 
   // If half is a hundred times as bright, it has most of the lights.
   const Picture uneven(64, 64, [](int x, int) { return glm::dvec3(x < 32 ? 1.0 : 0.01); });
-  lights = Clusters::MakeLights({ uneven.GetImage() }, 256);
+  lights = AreaClusters::MakeLights({ uneven.GetImage() }, 256);
   const auto bright = std::count_if(lights.begin(), lights.end(),
-    [](const Clusters::Light& light) { return light.Position.x < 1.0; });
+    [](const AreaClusters::Light& light) { return light.Position.x < 1.0; });
   CheckAtLeast("lights of the brighter half", static_cast<double>(bright), 200,
     "squared edges go with the square root of the radiance: 10 to 1 would be 233");
 }
@@ -154,24 +154,24 @@ VTK_INDIRECT_TEST(AreaClustersOfSeveral)
 {
   const Picture white(1, 1, [](int, int) { return glm::dvec3(1.0); });
   const Picture dark(16, 16, [](int, int) { return glm::dvec3(0.0); });
-  Clusters::Image one = white.GetImage();
-  Clusters::Image large = one;
+  AreaClusters::Image one = white.GetImage();
+  AreaClusters::Image large = one;
   large.Edge1 *= 4.0;
-  Clusters::Image flat = one;
+  AreaClusters::Image flat = one;
   flat.Edge2 = 3.0 * flat.Edge1;
   CheckEqual("dark ones, and those without an area",
-    static_cast<double>(Clusters::MakeLights({ dark.GetImage(), flat }, 64).size()), 0);
-  CheckEqual("none", static_cast<double>(Clusters::MakeLights({}, 64).size()), 0);
-  std::vector<Clusters::Light> lights = Clusters::MakeLights({ one, large }, 2);
+    static_cast<double>(AreaClusters::MakeLights({ dark.GetImage(), flat }, 64).size()), 0);
+  CheckEqual("none", static_cast<double>(AreaClusters::MakeLights({}, 64).size()), 0);
+  std::vector<AreaClusters::Light> lights = AreaClusters::MakeLights({ one, large }, 2);
   CheckEqual("one each at least", static_cast<double>(lights.size()), 2);
   CheckEqual("even where there are to be fewer",
-    static_cast<double>(Clusters::MakeLights({ one, large }, 1).size()), 2);
+    static_cast<double>(AreaClusters::MakeLights({ one, large }, 1).size()), 2);
 
   one.TwoSided = true;
-  lights = Clusters::MakeLights({ one }, 64);
+  lights = AreaClusters::MakeLights({ one }, 64);
   CheckEqual("of two sides", static_cast<double>(lights.size()), 64);
   double up = 0.0;
-  for (const Clusters::Light& light : lights)
+  for (const AreaClusters::Light& light : lights)
   {
     up += light.Normal.z * light.RadianceArea.x;
   }

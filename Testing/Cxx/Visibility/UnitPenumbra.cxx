@@ -59,7 +59,7 @@ void Compare(
   rms = std::sqrt(squares / steps);
 }
 
-vtkIndirectFrame MakeFrame(double scale)
+vtkIndirectFrame MakeScaledFrame(double scale)
 {
   vtkIndirectFrame frame;
   frame.SceneCenter = glm::dvec3(3.0, -2.0, 5.0) * scale;
@@ -206,7 +206,7 @@ VTK_INDIRECT_TEST(PenumbraMaps)
     { "the sun", sun, 1, true }, { "half of the sky", wide, 1, true } };
   for (const auto& c : cases)
   {
-    const vtkIndirectPenumbra::Light unit = Fit(MakeFrame(1.0), c.Light, 1.0);
+    const vtkIndirectPenumbra::Light unit = Fit(MakeScaledFrame(1.0), c.Light, 1.0);
     const std::string name(c.Name);
     CheckEqual(name + ": faces", unit.Map.Map.NumberOfFaces, c.Faces);
     CheckEqual(name + ": tiles", double(unit.Tiles.size()), c.Faces * VTKI_LIGHT_POINTS);
@@ -217,11 +217,11 @@ VTK_INDIRECT_TEST(PenumbraMaps)
     if (c.Faces == 1 && c.HoldsAll)
     {
       CheckAtMost(
-        name + ": casters in the tiles", FindReach(MakeFrame(1.0), unit), 1.0, "all of them");
+        name + ": casters in the tiles", FindReach(MakeScaledFrame(1.0), unit), 1.0, "all of them");
     }
     for (double scale : { 1e-6, 1e6 })
     {
-      const vtkIndirectPenumbra::Light other = Fit(MakeFrame(scale), c.Light, scale);
+      const vtkIndirectPenumbra::Light other = Fit(MakeScaledFrame(scale), c.Light, scale);
       CheckRelative(name + ": half width at scale " + std::to_string(scale),
         other.Map.Map.HalfWidth, unit.Map.Map.HalfWidth, 1e-9, "rounding");
       CheckRelative(name + ": texels", other.Texels, unit.Texels, 1e-9, "lengths are scene units");

@@ -18,14 +18,8 @@
 
 #include <algorithm>
 
-namespace
-{
-const vtkIndirectChannels ImageChannels = {
-  { "image", "vtkiImage", "one channel of the frame", GL_RGBA32F, "world", "world units" },
-};
-
 // Channels for viewing: names, debug views, PrintSelf and the documentation use this table.
-struct Shown
+struct vtkIndirectShownChannel
 {
   const char* Name;
   const char* Meaning;
@@ -38,7 +32,13 @@ struct Shown
 };
 
 using namespace vtkIndirectKernels;
-const Shown FrameChannels[] = {
+namespace
+{
+const vtkIndirectChannels ImageChannels = {
+  { "image", "vtkiImage", "one channel of the frame", GL_RGBA32F, "world", "world units" },
+};
+
+const vtkIndirectShownChannel FrameChannels[] = {
   { "final", "the picture of the opaque props", "VTK radiance", VTKI_CHANNEL_FINAL, 3, 1.0f, 0.0f },
   { "direct", "VTK's own shading, shadowed", "VTK radiance", VTKI_CHANNEL_DIRECT, 3, 1.0f, 0.0f },
   { "indirect", "albedo E + glossy, what the pass adds", "VTK radiance", VTKI_CHANNEL_INDIRECT, 3,
@@ -60,7 +60,7 @@ const Shown FrameChannels[] = {
   { "specular", "specular reflectance, power of the lobe or of PBR minus its roughness", "1",
     VTKI_CHANNEL_SPECULAR, 4, 1.0f, 0.0f },
 };
-const Shown MapChannels[] = {
+const vtkIndirectShownChannel MapChannels[] = {
   { "depth", "depth along a face's axis", "world units", VTKI_MAP_CHANNEL_DEPTH, 1, 1.0f, 0.0f },
   { "normal", "unit shading normal in world coordinates", "1", VTKI_MAP_CHANNEL_NORMAL, 3, 0.5f,
     0.5f },
@@ -81,7 +81,7 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
   vtkIndirectFullScreenProgram DrawChannel{ this, "vtkIndirectChannelFS.glsl" };
   vtkIndirectFullScreenProgram DrawMapChannel{ this, "vtkIndirectMapChannelFS.glsl" };
   vtkIndirectFullScreenProgram Display{ this, "vtkIndirectDisplayFS.glsl" };
-  const Shown* Channel = nullptr;
+  const vtkIndirectShownChannel* Channel = nullptr;
   double Farthest = 1.0; // world units
 
   static bool HasGlossy(const Input& input)
@@ -161,7 +161,7 @@ vtkIndirectComposite::~vtkIndirectComposite() = default;
 int vtkIndirectComposite::FindChannel(const std::string& name)
 {
   int i = 0;
-  for (const Shown& channel : FrameChannels)
+  for (const vtkIndirectShownChannel& channel : FrameChannels)
   {
     if (name == channel.Name)
     {
@@ -203,11 +203,11 @@ bool vtkIndirectComposite::ParseMapChannel(const std::string& name, int& map, in
 std::string vtkIndirectComposite::GetChannelNames()
 {
   std::string names;
-  for (const Shown& channel : FrameChannels)
+  for (const vtkIndirectShownChannel& channel : FrameChannels)
   {
     names += (names.empty() ? "" : ", ") + std::string(channel.Name);
   }
-  for (const Shown& channel : MapChannels)
+  for (const vtkIndirectShownChannel& channel : MapChannels)
   {
     names += ", rsm<i>." + std::string(channel.Name);
   }
@@ -217,17 +217,17 @@ std::string vtkIndirectComposite::GetChannelNames()
 //------------------------------------------------------------------------------
 void vtkIndirectComposite::PrintChannels(std::ostream& os, vtkIndent indent)
 {
-  auto print = [&](const char* prefix, const Shown& channel)
+  auto print = [&](const char* prefix, const vtkIndirectShownChannel& channel)
   {
     os << indent << prefix << channel.Name << ": " << channel.Meaning << " (" << channel.Unit
        << ", " << channel.Components << (channel.Components == 1 ? " component" : " components")
        << ")\n";
   };
-  for (const Shown& channel : FrameChannels)
+  for (const vtkIndirectShownChannel& channel : FrameChannels)
   {
     print("", channel);
   }
-  for (const Shown& channel : MapChannels)
+  for (const vtkIndirectShownChannel& channel : MapChannels)
   {
     print("rsm<i>.", channel);
   }
@@ -347,7 +347,7 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
 //------------------------------------------------------------------------------
 bool vtkIndirectComposite::RenderChannel(const Input& input, const std::function<int()>& draw)
 {
-  static const Shown shown[] = { { "", "", "", 0, 1, 1.0f, 0.0f },
+  static const vtkIndirectShownChannel shown[] = { { "", "", "", 0, 1, 1.0f, 0.0f },
     { "", "", "", 0, 3, 1.0f, 0.0f } };
   Internals& in = *this->Internal;
   const vtkIndirectFrame& frame = input.Frame;

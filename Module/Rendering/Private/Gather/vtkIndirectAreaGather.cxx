@@ -16,7 +16,7 @@
 
 namespace
 {
-const vtkIndirectChannels Channels = {
+const vtkIndirectChannels AreaChannels = {
   { "area", "vtkiArea", "irradiance that comes directly from area lights", GL_RGBA32F, "-",
     "VTK irradiance" },
 };
@@ -27,7 +27,7 @@ vtkIndirectAreaGather::vtkIndirectAreaGather(vtkIndirectResource* owner, vtkIndi
   : vtkIndirectFrameLight(owner)
   , Maps(this, maps, vtkIndirectDepthMaps::AREA_LIGHTS)
   , Rounds(this, maps)
-  , Irradiance(this, Channels, false)
+  , Irradiance(this, AreaChannels, false)
 {
 }
 

@@ -15,7 +15,7 @@
 
 namespace
 {
-const vtkIndirectChannels Channels = {
+const vtkIndirectChannels ReflectedChannels = {
   { "area.glossy", "vtkiAreaGlossy", "what receivers reflect specularly of area lights", GL_RGBA32F,
     "-", "VTK radiance" },
 };
@@ -26,7 +26,7 @@ const vtkIndirectChannels TableChannels = {
     "-", "1" },
 };
 constexpr size_t MostPoints = vtkIndirectAreaLamps::MostPoints;
-constexpr size_t RowsOfPoint = 5; // rows of a point in the block
+constexpr size_t RowsOfLobePoint = 5; // rows of a point in the block
 constexpr size_t RowsOfSides = 10;
 }
 
@@ -35,7 +35,7 @@ vtkIndirectAreaLobes::vtkIndirectAreaLobes(vtkIndirectResource* owner)
   : vtkIndirectResource(owner)
   , Kernels{ { this, "vtkIndirectAreaLobeFS.glsl" }, { this, "vtkIndirectAreaLobeFS.glsl" } }
   , Tables(this, TableChannels, false)
-  , Reflected(this, Channels, false)
+  , Reflected(this, ReflectedChannels, false)
 {
 }
 
@@ -77,7 +77,7 @@ void vtkIndirectAreaLobes::SetPoints(
   const vtkIndirectAreaMaps& maps = *input.Maps;
   const std::vector<vtkIndirectAreaLamps::Point>& points = maps.GetPoints(number);
   const size_t count = std::min(points.size(), input.Points);
-  std::vector<glm::vec4> block(RowsOfPoint * MostPoints + RowsOfSides, glm::vec4(0.0f));
+  std::vector<glm::vec4> block(RowsOfLobePoint * MostPoints + RowsOfSides, glm::vec4(0.0f));
   for (size_t k = 0; k < count; ++k)
   {
     const vtkIndirectAreaLamps::Point& point = points[k];
@@ -87,7 +87,7 @@ void vtkIndirectAreaLobes::SetPoints(
     block[3 * MostPoints + k] = maps.GetWindow(point, 0);
     block[4 * MostPoints + k] = maps.GetWindow(point, 1);
   }
-  glm::vec4* const sides = &block[RowsOfPoint * MostPoints];
+  glm::vec4* const sides = &block[RowsOfLobePoint * MostPoints];
   for (size_t side = 0; side < 2; ++side)
   {
     sides[side] = glm::vec4(maps.GetRange(number, side));

@@ -13,7 +13,7 @@
 
 namespace
 {
-const vtkIndirectChannels OpenChannels = {
+const vtkIndirectChannels OpenSampleChannels = {
   { "area.open", "vtkiAreaOpen", "irradiance if nothing hid area lights; distance", GL_RGBA32F, "-",
     "VTK irradiance" },
   { "area.openFront", "vtkiAreaOpenFront", "a bit for each lamp that sends light to its side of it",
@@ -37,7 +37,7 @@ constexpr size_t LampsOfBatch = 8;
 vtkIndirectAreaSamples::vtkIndirectAreaSamples(vtkIndirectResource* owner)
   : vtkIndirectResource(owner)
   , Block(this, LampsOfBatch, NumberOfPoints)
-  , Open(this, OpenChannels)
+  , Open(this, OpenSampleChannels)
   , Samples(this, SampleChannels)
 {
 }

@@ -20,7 +20,7 @@ const vtkIndirectChannels CoarseChannels = {
 };
 
 // Rows of 256 lights in one draw: long draws stall a desktop, and some drivers abort them.
-constexpr int RowsPerDraw = 16;
+constexpr int LobeRowsPerDraw = 16;
 
 // Light below this share of the frame's brightest irradiance is interpolated in any case.
 constexpr double Least = 1e-3;
@@ -85,7 +85,7 @@ int vtkIndirectLobeGather::FindRowsPerDraw(const vtkIndirectEstimateInput& input
 {
   return input.Visibility.WalksSegments()
     ? input.Visibility.GetMaximumNumberOfSegments() / vtkIndirectSampler::RowLength
-    : RowsPerDraw;
+    : LobeRowsPerDraw;
 }
 
 //------------------------------------------------------------------------------

@@ -18,12 +18,12 @@
 
 namespace
 {
-const vtkIndirectChannels Channels = {
+const vtkIndirectChannels SkyChannels = {
   { "sky", "vtkiSky", "irradiance that comes directly from the environment", GL_RGBA32F, "-",
     "VTK irradiance" },
 };
 const char* const SumMeaning = "what is seen of the directions asked; what they would give";
-const vtkIndirectChannels SumChannels = {
+const vtkIndirectChannels SkySumChannels = {
   { "sky.sums", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
 };
 const vtkIndirectChannels StillChannels = {
@@ -32,7 +32,7 @@ const vtkIndirectChannels StillChannels = {
   { "sky.sums2", "vtkiSkySums2", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums3", "vtkiSkySums3", SumMeaning, GL_RGBA32F, "-", "their unit" },
 };
-const vtkIndirectChannels OpenChannels = {
+const vtkIndirectChannels OpenSkyChannels = {
   { "sky.open", "vtkiOpenSky", "irradiance by normals if nothing hid the sky; of the directions",
     GL_RG32F, "world", "their unit" },
 };
@@ -54,10 +54,10 @@ constexpr int StrongTexels = 1024;
 vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
   : vtkIndirectFrameLight(owner)
   , DepthMaps(maps)
-  , Irradiance(this, Channels, false)
-  , Sums{ { this, StillChannels, false }, { this, SumChannels, false } }
-  , Rows(this, SumChannels, false)
-  , OpenSky(this, OpenChannels, false)
+  , Irradiance(this, SkyChannels, false)
+  , Sums{ { this, StillChannels, false }, { this, SkySumChannels, false } }
+  , Rows(this, SkySumChannels, false)
+  , OpenSky(this, OpenSkyChannels, false)
   , Groups{ { {}, {}, StrongTexels, vtkIndirectDepthMaps::STRONG_SKY,
               maps.Get(vtkIndirectDepthMaps::STRONG_SKY) },
     { {}, {}, 0, vtkIndirectDepthMaps::SKY, maps.Get(vtkIndirectDepthMaps::SKY) } }

@@ -10,8 +10,8 @@
 
 namespace
 {
-constexpr size_t MaximumLists = 32; // VTKI_GLOSSY_LISTS
-constexpr size_t Header = 2;        // VTKI_GLOSSY_HEADER
+constexpr size_t MaximumGlossyLists = 32; // VTKI_GLOSSY_LISTS
+constexpr size_t Header = 2;              // VTKI_GLOSSY_HEADER
 
 size_t CountWords(int lights)
 {
@@ -21,7 +21,7 @@ size_t CountWords(int lights)
 
 vtkIndirectGlossyLists::vtkIndirectGlossyLists(vtkIndirectResource* owner)
   : vtkIndirectResource(owner)
-  , Buffer(this, MaximumLists)
+  , Buffer(this, MaximumGlossyLists)
 {
 }
 
@@ -35,7 +35,7 @@ size_t vtkIndirectGlossyLists::GetStride() const
 size_t vtkIndirectGlossyLists::CountBytes(size_t entries, int lights)
 {
   return vtkIndirectCommandBuffer::CountBytes(
-    MaximumLists, entries * (Header + CountWords(lights)));
+    MaximumGlossyLists, entries * (Header + CountWords(lights)));
 }
 
 //------------------------------------------------------------------------------

@@ -16,11 +16,11 @@ namespace
 const vtkIndirectChannels LobeChannels = {
   { "glossy.lobe", "vtkiLevelLobe", "power of the specular lobe, state", GL_RG16F, "-", "-" },
 };
-const vtkIndirectChannels HalfChannels = {
+const vtkIndirectChannels GlossyHalfChannels = {
   { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA16F, "-",
     "VTK irradiance over the frame's unit" },
 };
-const vtkIndirectChannels FloatChannels = {
+const vtkIndirectChannels GlossyFloatChannels = {
   { "glossy.level", "vtkiCoarserGlossy", "indirect light in the specular lobe", GL_RGBA32F, "-",
     "VTK irradiance" },
 };
@@ -89,8 +89,8 @@ bool vtkIndirectGlossySubsplats::Resize(
   this->HalfFloats = halfFloats;
   while (this->Levels.size() < pyramid.GetNumberOfLevels())
   {
-    this->Levels.push_back(
-      std::make_unique<vtkIndirectTarget>(this, halfFloats ? HalfChannels : FloatChannels, false));
+    this->Levels.push_back(std::make_unique<vtkIndirectTarget>(
+      this, halfFloats ? GlossyHalfChannels : GlossyFloatChannels, false));
     this->Lobes.push_back(std::make_unique<vtkIndirectTarget>(this, LobeChannels, false));
   }
   for (size_t i = 0; i < this->Levels.size(); ++i)

@@ -12,7 +12,7 @@
 namespace
 {
 using Command = std::array<unsigned int, 4>;
-constexpr unsigned int Binding = 0;
+constexpr unsigned int StorageBinding = 0;
 }
 
 vtkIndirectCommandBuffer::~vtkIndirectCommandBuffer()
@@ -67,8 +67,8 @@ void vtkIndirectCommandBuffer::Activate(const vtkIndirectProgram& program, const
 {
   const auto handle = static_cast<GLuint>(program->GetHandle());
   glShaderStorageBlockBinding(
-    handle, glGetProgramResourceIndex(handle, GL_SHADER_STORAGE_BLOCK, block), Binding);
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, Binding, this->Handle);
+    handle, glGetProgramResourceIndex(handle, GL_SHADER_STORAGE_BLOCK, block), StorageBinding);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, StorageBinding, this->Handle);
 }
 
 //------------------------------------------------------------------------------

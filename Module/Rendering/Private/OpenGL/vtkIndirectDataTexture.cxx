@@ -12,11 +12,11 @@
 
 namespace
 {
-// Formats of one to four components.
+// FormatsOfBytes of one to four components.
 constexpr unsigned int ByteFormats[] = { GL_R8, GL_RG8, GL_RGB8, GL_RGBA8 };
 constexpr unsigned int IntegerByteFormats[] = { GL_R8UI, GL_RG8UI, GL_RGB8UI, GL_RGBA8UI };
 constexpr unsigned int IntegerFormats[] = { GL_R32UI, GL_RG32UI, GL_RGB32UI, GL_RGBA32UI };
-constexpr unsigned int Formats[] = { GL_RED, GL_RG, GL_RGB, GL_RGBA };
+constexpr unsigned int FormatsOfBytes[] = { GL_RED, GL_RG, GL_RGB, GL_RGBA };
 constexpr unsigned int FormatsOfIntegers[] = { GL_RED_INTEGER, GL_RG_INTEGER, GL_RGB_INTEGER,
   GL_RGBA_INTEGER };
 }
@@ -45,7 +45,7 @@ bool vtkIndirectDataTexture::Set(vtkOpenGLRenderWindow* window, ContentType cont
     texture->SetInternalFormat(content == BYTES ? ByteFormats[components - 1]
         : content == INTEGERS                   ? IntegerFormats[components - 1]
                                                 : IntegerByteFormats[components - 1]);
-    texture->SetFormat((content == BYTES ? Formats : FormatsOfIntegers)[components - 1]);
+    texture->SetFormat((content == BYTES ? FormatsOfBytes : FormatsOfIntegers)[components - 1]);
     texture->SetDataType(bytes ? GL_UNSIGNED_BYTE : GL_UNSIGNED_INT);
     window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   }

@@ -46,11 +46,11 @@ double Integrate(double ratio, double distance)
   return sum / (steps * ratio * ratio);
 }
 
-using Table = std::array<std::array<double, Distances + 1>, Ratios + 1>;
+using OverlapTable = std::array<std::array<double, Distances + 1>, Ratios + 1>;
 
-Table MakeTable()
+OverlapTable MakeOverlapTable()
 {
-  Table table;
+  OverlapTable table;
   for (int i = 0; i <= Ratios; ++i)
   {
     // The least ratio is that of a point anywhere behind a disk.
@@ -68,7 +68,7 @@ Table MakeTable()
 //------------------------------------------------------------------------------
 double vtkIndirectProxySilhouette::FindOverlap(double first, double second, double distance)
 {
-  static const Table table = MakeTable();
+  static const OverlapTable table = MakeOverlapTable();
   const double large = std::max(first, second);
   const double small = std::min(first, second);
   const double place = distance / (first + second) * (Distances / Farthest);

@@ -15,13 +15,13 @@ using namespace vtkIndirectProxyChannels;
 
 namespace
 {
-constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
+constexpr int TexelsPerRow = vtkIndirectKernels::VTKI_ROW_LENGTH;
 
 // Rows of a table. Powers of two: small changes of the number of entries keep the textures.
 int FindRows(size_t entries)
 {
   int rows = 1;
-  while (static_cast<size_t>(rows) * RowLength < entries)
+  while (static_cast<size_t>(rows) * TexelsPerRow < entries)
   {
     rows *= 2;
   }
@@ -51,7 +51,7 @@ std::vector<float> MakeTable()
 // Fills whole rows of a table.
 void WriteRows(vtkIndirectTarget& target, int channel, std::vector<float>& values)
 {
-  const size_t row = static_cast<size_t>(RowLength) * 4;
+  const size_t row = static_cast<size_t>(TexelsPerRow) * 4;
   values.resize((values.size() + row - 1) / row * row, 0.0f);
   if (!values.empty())
   {
@@ -88,8 +88,8 @@ bool vtkIndirectProxyTreeTables::Update(vtkOpenGLRenderWindow* window,
   this->NumberOfBlocks = static_cast<int>(blocks.size());
   this->HasAnyGroups = tree.HasGroups();
   const int rows = FindRows(entries.size());
-  if (!this->Table.Resize(window, TableLength, 1) || !this->Rows.Resize(window, RowLength, rows) ||
-    !this->Blocks.Resize(window, 2, rows))
+  if (!this->Table.Resize(window, TableLength, 1) ||
+    !this->Rows.Resize(window, TexelsPerRow, rows) || !this->Blocks.Resize(window, 2, rows))
   {
     this->NumberOfEntries = 0;
     return false;
@@ -167,8 +167,8 @@ bool vtkIndirectProxyTreeTables::UpdateSenders(
   // Every texel that shaders may read is written.
   ranges.resize(std::max(ranges.size(), size_t(4)), 0.0f);
   const int meanRows = FindRows(ranges.size() / 4);
-  if (!this->Senders.Resize(window, RowLength, rows) ||
-    !this->Ranges.Resize(window, RowLength, meanRows))
+  if (!this->Senders.Resize(window, TexelsPerRow, rows) ||
+    !this->Ranges.Resize(window, TexelsPerRow, meanRows))
   {
     this->NumberOfEntries = 0;
     return false;
@@ -183,7 +183,7 @@ bool vtkIndirectProxyTreeTables::UpdateSenders(
 void vtkIndirectProxyTreeTables::SetTexelSize(
   const vtkIndirectProgram& program, const char* name, const vtkIndirectTarget& table)
 {
-  const float perTexel[2] = { 1.0f / static_cast<float>(RowLength),
+  const float perTexel[2] = { 1.0f / static_cast<float>(TexelsPerRow),
     1.0f / static_cast<float>(std::max(table.GetHeight(), 1)) };
   program->SetUniform2f(name, perTexel);
 }

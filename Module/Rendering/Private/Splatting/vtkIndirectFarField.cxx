@@ -18,8 +18,6 @@
 
 namespace
 {
-constexpr int RowLength = vtkIndirectSampler::RowLength;
-
 const vtkIndirectChannels CoarseChannels = {
   { "splats.far", "vtkiCoarse", "irradiance that splats cut off, luminance of all of it",
     GL_RGBA32F, "-", "VTK irradiance" },
@@ -58,7 +56,8 @@ bool vtkIndirectFarField::Sum(
     return false;
   }
   const int rows = input.Lights->GetNumberOfRows();
-  const int rowsPerDraw = input.Visibility.GetMaximumNumberOfSenders() / RowLength;
+  const int rowsPerDraw =
+    input.Visibility.GetMaximumNumberOfSenders() / vtkIndirectSampler::RowLength;
   const bool adds = rows > rowsPerDraw;
   this->SumCoarse.SetDefinitions(GetDefinitions(input, table, step));
   vtkIndirectProgram program = this->SumCoarse.Use(frame.Window);

@@ -15,8 +15,6 @@
 
 namespace
 {
-constexpr int RowLength = vtkIndirectSampler::RowLength;
-
 const vtkIndirectChannels ColumnsChannels = {
   { "splats.columns", "vtkiSplatColumns", "sum of intensities, number of lights", GL_RG32F, "-",
     "VTK radiance times scene units squared over pi, 1" },
@@ -67,8 +65,10 @@ bool vtkIndirectSplatTable::Update(
     this->Lobes = lobes;
   }
   this->Bounds.SetNumberOfChannels(lobes ? 2 + ChannelsOfLobes : 2);
-  if (!this->Columns.Resize(window, RowLength, 1) || !this->Mean.Resize(window, 1, 1) ||
-    !this->Bounds.Resize(window, RowLength, lights.GetNumberOfRows()) || !this->Draw(input))
+  if (!this->Columns.Resize(window, vtkIndirectSampler::RowLength, 1) ||
+    !this->Mean.Resize(window, 1, 1) ||
+    !this->Bounds.Resize(window, vtkIndirectSampler::RowLength, lights.GetNumberOfRows()) ||
+    !this->Draw(input))
   {
     return false;
   }

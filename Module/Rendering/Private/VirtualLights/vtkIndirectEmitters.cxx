@@ -22,7 +22,7 @@ constexpr int MostPiecesPerEdge = 2;
 // so that the light of a sun is reflected at the place where it falls.
 constexpr int NumberOfFineDirections = 256;
 
-double Sum(const glm::dvec3& light)
+double AddChannels(const glm::dvec3& light)
 {
   return light.x + light.y + light.z;
 }
@@ -193,12 +193,12 @@ void vtkIndirectEmitters::AddSky(
   double total = 0.0;
   for (const glm::dvec3& l : light)
   {
-    total += Sum(l);
+    total += AddChannels(l);
   }
   for (size_t i = 0; i < fine.size(); ++i)
   {
     const glm::dvec3 strength = light[i] / vtkMath::Pi();
-    if (Sum(light[i]) * NumberOfSkyGroups > total)
+    if (AddChannels(light[i]) * NumberOfSkyGroups > total)
     {
       add(NumberOfSkyGroups + static_cast<int>(i), sky.Middles[i], strength);
     }
@@ -208,7 +208,7 @@ void vtkIndirectEmitters::AddSky(
     }
   }
   std::copy_if(all.begin(), all.end(), std::back_inserter(emitters),
-    [](const vtkIndirectEmitter& emitter) { return Sum(emitter.Strength) > 0.0; });
+    [](const vtkIndirectEmitter& emitter) { return AddChannels(emitter.Strength) > 0.0; });
 }
 
 //------------------------------------------------------------------------------

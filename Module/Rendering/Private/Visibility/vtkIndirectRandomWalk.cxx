@@ -52,11 +52,6 @@ void FindAxes(const glm::dvec3& n, glm::dvec3& u, glm::dvec3& v)
   v = { b, sign + n.y * n.y * a, -n.y };
 }
 
-glm::dvec3 Corner(const double bounds[6], int i)
-{
-  return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
-}
-
 // Makes a direction with a density by the cosine to a normal.
 glm::dvec3 CosineDirection(const glm::dvec3& normal, const glm::dvec2& at)
 {
@@ -132,13 +127,21 @@ private:
   void Take(size_t i, const glm::dvec3& place, size_t count, Found& found) const
   {
     const glm::dvec3 apart = this->Points[this->Order[i]] - place;
-    found.emplace_back(glm::dot(apart, apart), this->Order[i]);
-    std::push_heap(found.begin(), found.end());
-    if (found.size() > count)
+    const Found::value_type taken(glm::dot(apart, apart), this->Order[i]);
+    if (found.size() < count)
+    {
+      found.push_back(taken);
+    }
+    else if (taken < found.front())
     {
       std::pop_heap(found.begin(), found.end());
-      found.pop_back();
+      found.back() = taken;
     }
+    else
+    {
+      return;
+    }
+    std::push_heap(found.begin(), found.end());
   }
 
   void Find(size_t begin, size_t end, const glm::dvec3& place, size_t count, Found& found) const
@@ -215,8 +218,9 @@ vtkIndirectRandomWalk::Emission::Emission(
   glm::dvec3 upper(-VTK_DOUBLE_MAX);
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    lower = glm::min(lower, Corner(caster.GetFit(), 0));
-    upper = glm::max(upper, Corner(caster.GetFit(), 7));
+    const double* const fit = caster.GetFit();
+    lower = glm::min(lower, glm::dvec3(fit[0], fit[2], fit[4]));
+    upper = glm::max(upper, glm::dvec3(fit[1], fit[3], fit[5]));
   }
   lower = (lower - frame.SceneCenter) * frame.SceneScale;
   upper = (upper - frame.SceneCenter) * frame.SceneScale;
