@@ -276,6 +276,30 @@ class Contact(unittest.TestCase):
         # that none is lit from behind: 0.053. Without that it was 0.008, by normals for planes 0.28.
         self.check_smooth(scene.read("irradiance").mean(-1), scene.places(), "bounces", 0.06)
 
+    def test_bounces_are_smooth_along_creases_and_edges_of_a_room(self) -> None:
+        # A board in a closed room, where light varies slowly: a point on a wall of even light sees half
+        # of the hemisphere filled by the next wall at its foot, and less by the sine of the next wall's
+        # elevation. Over the two pixels that the median reaches this is below 2 %.
+        room, board = cube(False), cube(False, (-0.05, -0.03, -0.14))
+        room.SetScale(2.0)
+        board.SetScale(0.8, 0.9, 0.04)
+        eye, focal = (0.9, 0.8, 0.6), (-0.5, -0.6, -0.5)
+        scene = Scene(self, [room, board], None, eye, focal, (320, 240))
+        scene.renderer.GetActiveCamera().SetViewAngle(60.0)
+        lamp = vtkLight()
+        lamp.SetLightTypeToSceneLight()
+        lamp.PositionalOn()
+        lamp.SetConeAngle(50.0)
+        lamp.SetPosition(0.2, -0.1, 0.5)
+        lamp.SetFocalPoint(0.4, 0.6, 1.5)
+        scene.renderer.AddLight(lamp)
+        self.finish(scene)
+        rough = wrinkle(scene.read("irradiance").mean(-1)) > 0.04
+        print(f"room: off by 4 % {rough.sum()} of {rough.size} pixels")
+        # At corners of the board a texel's neighbours lie beyond another edge: 183. Without texels'
+        # neighbours 987 pixels are off.
+        self.assertLess(rough.sum(), 300)
+
     def finish(self, scene: Scene) -> None:
         scene.window.Render()
         for _ in range(40):

@@ -313,6 +313,60 @@ VTK_INDIRECT_TEST(DepthTileEndsAtARim)
   CheckEqual("parallel: texels that show light", leaks[1], 0);
 }
 
+// A floor that meets a wall is seen up to the crease, whichever of the two surfaces a texel shows.
+VTK_INDIRECT_TEST(DepthTileSeesIntoCreases)
+{
+  Random random(37);
+  const double texel = 0.04; // at depth one
+  int counted = 0;
+  int lost[2] = {};
+  int hidden = 0;
+  while (counted < 20000)
+  {
+    // Two planes through a point, before the light at the origin, whose angle is below 180 degrees.
+    const glm::dvec3 crease(random.Next(-0.2, 0.2), random.Next(-0.2, 0.2), random.Next(0.2, 0.8));
+    const glm::dvec3 floor = random.NextDirection();
+    const glm::dvec3 wall = random.NextDirection();
+    const double height[2] = { -glm::dot(floor, crease), -glm::dot(wall, crease) };
+    const auto inverse = [&](const glm::dvec3& ray)
+    { return std::max(-glm::dot(floor, ray) / height[0], -glm::dot(wall, ray) / height[1]); };
+    const glm::dvec2 at(random.Next(-0.3, 0.3), random.Next(-0.3, 0.3));
+    const glm::dvec3 way(at, 1.0);
+    const glm::dvec2 offset = texel * (glm::floor(at / texel) + 0.5) - at;
+    const glm::dvec3 ray(at + offset, 1.0);
+    const double onFloor = -glm::dot(floor, way) / height[0];
+    const double onWall = -glm::dot(wall, ray) / height[1];
+    // The light sees the floor at the receiver, and the wall at the texel's centre.
+    if (height[0] < 0.1 || height[1] < 0.1 || onFloor < 1.0 || onFloor < inverse(way) ||
+      onWall < -glm::dot(floor, ray) / height[0])
+    {
+      continue; // the receiver sees no floor, or the texel's centre no wall
+    }
+    ++counted;
+    const auto depth = static_cast<float>(1.0 / onFloor);
+    const auto stored = static_cast<float>(inverse(ray));
+    const glm::dvec2 side(offset.x < 0.0 ? -texel : texel, offset.y < 0.0 ? -texel : texel);
+    const glm::vec2 rise(inverse(ray + glm::dvec3(side.x, 0.0, 0.0)) - stored,
+      inverse(ray + glm::dvec3(0.0, side.y, 0.0)) - stored);
+    const bool meets =
+      vtkiMeetsInPerspectiveTile(stored, depth, glm::vec2(glm::abs(offset) / texel), rise);
+    const bool seen = vtkiIsSeenInPerspectiveTile(stored, depth, static_cast<float>(-height[0]),
+      static_cast<float>(glm::dot(floor, ray)), static_cast<float>(VTKI_TILE_ROUGHNESS * texel));
+    lost[0] += seen ? 0 : 1;
+    lost[1] += seen || meets ? 0 : 1;
+    // A sheet between the light and the floor, parallel to the map.
+    hidden += vtkiMeetsInPerspectiveTile(1.2f * static_cast<float>(onFloor), depth,
+                glm::vec2(glm::abs(offset) / texel), glm::vec2(0.0f))
+      ? 1
+      : 0;
+  }
+  CheckAtLeast("receivers that their own texel hides", lost[0], 1000, "the test's own power");
+  CheckAtMost("share of them that the next texels hide, too",
+    static_cast<double>(lost[1]) / lost[0], 0.01,
+    "walls that the light sees at less than 7 degrees");
+  CheckEqual("receivers that see through a sheet", hidden, 0);
+}
+
 // Every occluder of a receiver has its place in the tile, also flat casters that extend beyond it.
 VTK_INDIRECT_TEST(DepthTileHasAllThatHides)
 {

@@ -29,7 +29,8 @@ vtkiTile vtkiMakeTile(int number, vec3 place, vec3 axis)
   return tile;
 }
 
-// middle: of the forward view in the atlas; window: scale (xy) and offset (zw) from tangents to
+// Looks a receiver up in a view of a tile. Moving frames (VTKI_SHARES_LOOKS) and area lights
+// (VTKI_ONE_TEXEL) read one texel, other look-ups three. middle: of the forward view in the atlas; window: scale (xy) and offset (zw) from tangents to
 // places in the view, from -1 to 1; tangents: the inverse of window; range: one over the depths at
 // which the view begins and ends; nearest: least depth of a look-up.
 bool vtkiIsSeenInView(
@@ -48,15 +49,33 @@ bool vtkiIsSeenInView(
   vec2 at = floor(clamp(place, -0.99999f, 0.99999f) * halfSize) + 0.5f;
   vec2 ray = at * perHalf * tangents.xy + tangents.zw;
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
-  float stored =
-    textureLod(vtkiDepthTiles, middle + (vtkiPlaceOfView(view.strip, texels) + at) * perSize, 0.0f).r;
+  vec2 corner = middle + vtkiPlaceOfView(view.strip, texels) * perSize;
+  float stored = textureLod(vtkiDepthTiles, corner + at * perSize, 0.0f).r;
   float inverse = range.x - stored * (range.x - range.y);
   float along = dot(view.normal.xy, ray) + view.normal.z;
   float bias = VTKI_TILE_ROUGHNESS * max(tangents.x * perHalf.x, tangents.y * perHalf.y);
   float facing = dot(view.normal, view.away);
   bool ends = vtkiReceiversCast != 0 &&
     vtkiEndsInPerspectiveTile(inverse, view.away.z, facing, along, bias);
-  return outside || (!ends &&
+  bool byNeighbors = false;
+#if !defined(VTKI_SHARES_LOOKS) && !defined(VTKI_ONE_TEXEL)
+  // Beside the texel lie one texel at the receiver's side, which tells where the receiver's surface
+  // ends before the texel's centre, and two texels at the other side, which tell otherwise.
+  vec2 offset = at - place * halfSize;
+  vec2 side = vec2(
+    (offset.x < 0.0f) == ends ? 1.0f : -1.0f, (offset.y < 0.0f) == ends ? 1.0f : -1.0f);
+  vec2 next = clamp(at + side, 0.5f - halfSize, halfSize - 0.5f);
+  vec2 stepped = vec2(next.x, ends ? next.y : at.y);
+  float first = textureLod(vtkiDepthTiles, corner + stepped * perSize, 0.0f).r;
+  float second = textureLod(vtkiDepthTiles, corner + vec2(at.x, next.y) * perSize, 0.0f).r;
+  float inverseFirst = range.x - first * (range.x - range.y);
+  float alongFirst = along + dot(view.normal.xy, (next - at) * perHalf * tangents.xy);
+  vec2 rise = (stored - vec2(first, second)) * (range.x - range.y);
+  byNeighbors = ends
+    ? vtkiShowsPlaneInPerspectiveTile(inverseFirst, view.away.z, facing, alongFirst, bias)
+    : vtkiMeetsInPerspectiveTile(inverse, view.away.z, abs(offset), rise);
+#endif
+  return outside || byNeighbors || (!ends &&
     (stored >= 1.0f || vtkiIsSeenInPerspectiveTile(inverse, view.away.z, facing, along, bias)));
 }
 

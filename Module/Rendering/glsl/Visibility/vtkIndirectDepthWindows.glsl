@@ -1,5 +1,6 @@
 // Tests the visibility of a point of an area light from a receiver with the point's depth map,
 // which covers only possible casters.
+#define VTKI_ONE_TEXEL
 #include "vtkIndirectDepthTiles.glsl"
 
 // middle: of the tile's forward view in the atlas; view: the view of the tile that has the

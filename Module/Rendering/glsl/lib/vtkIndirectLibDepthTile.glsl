@@ -113,6 +113,33 @@ bool vtkiEndsInPerspectiveTile(float inverse, float depth, float facing, float a
   return along * depth < facing && along < (facing - bend) * inverse;
 }
 
+/* Greatest depth of a receiver over the depth of a surface that the receiver's surface meets in a
+ * crease: 1.25 at half a texel from a wall that the light sees at 7 degrees. A surface farther before
+ * the receiver hides the receiver. */
+const float VTKI_TILE_CREASE = 1.25f;
+
+/* True if the surface that a texel shows lies behind the receiver on the receiver's ray, as beyond
+ * a crease between the receiver and the texel's centre, where a floor meets a wall. One over the
+ * depth is linear over the view on a plane, so that the next texels away from the receiver extend
+ * the surface to the receiver. inverse: one over the stored depth; depth: the receiver's; offset:
+ * absolute distances from the receiver to the texel's centre along both axes in texels; rise: of
+ * inverse from the texel to the next texel along either axis. Needs no division. */
+bool vtkiMeetsInPerspectiveTile(float inverse, float depth, vec2 offset, vec2 rise)
+{
+  return (inverse - dot(offset, rise)) * depth <= 1.0f && inverse * depth <= VTKI_TILE_CREASE;
+}
+
+/* True if a texel shows the receiver's own surface. Values are those of vtkiIsSeenInPerspectiveTile.
+ * A texel at the receiver's side of an edge tells whether the light sees a receiver whose own texel
+ * shows what lies beyond the edge. Needs no division. */
+bool vtkiShowsPlaneInPerspectiveTile(
+  float inverse, float depth, float facing, float along, float bias)
+{
+  float behind = along - facing * inverse;
+  float share = bias * depth * inverse;
+  return behind <= share && behind >= -(2.0f / VTKI_TILE_ROUGHNESS) * share;
+}
+
 /* Answer of a texel of a parallel tile: 1 if the tile shows the receiver from its light, and 1 if
  * the texel tells whether it does. Compares the value stored at the texel's centre, [0,1], with the
  * depth of the receiver's own plane there. outside: the texel lies beyond the tile's border, where
