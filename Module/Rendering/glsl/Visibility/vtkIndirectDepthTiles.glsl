@@ -30,9 +30,10 @@ vtkiTile vtkiMakeTile(int number, vec3 place, vec3 axis)
 }
 
 // Looks a receiver up in a view of a tile. Moving frames (VTKI_SHARES_LOOKS) and area lights
-// (VTKI_ONE_TEXEL) read one texel, other look-ups three. middle: of the forward view in the atlas; window: scale (xy) and offset (zw) from tangents to
-// places in the view, from -1 to 1; tangents: the inverse of window; range: one over the depths at
-// which the view begins and ends; nearest: least depth of a look-up.
+// (VTKI_ONE_TEXEL) read one texel, other look-ups three. middle: of the forward view in the atlas;
+// window: scale (xy) and offset (zw) from tangents to places in the view, from -1 to 1; tangents:
+// the inverse of window; range: one over the depths at which the view begins and ends; nearest:
+// least depth of a look-up.
 bool vtkiIsSeenInView(
   vec2 middle, vtkiTileView view, vec4 window, vec4 tangents, vec2 range, float nearest)
 {
