@@ -329,8 +329,9 @@ VTK_INDIRECT_TEST(OnlyWhereNeeded)
   scene.Ball->GetProperty()->SetSpecular(0.5);
   scene.Render();
   const size_t pixels = static_cast<size_t>(64) * 48;
-  // The map's channel, and a row of the table of lobes.
-  const size_t ofSenders = static_cast<size_t>(64) * 64 * 8 + static_cast<size_t>(256) * 2 * 16;
+  // The map's channel, a row of the table of lobes, and the table of Fresnel integrals.
+  const size_t ofSenders = static_cast<size_t>(64) * 64 * 8 + static_cast<size_t>(256) * 2 * 16 +
+    static_cast<size_t>(24) * 24 * 2 * 4;
   CheckEqual("more bytes when a material is specular", static_cast<double>(bytes() - plain),
     static_cast<double>(pixels * (4 + 8 + 16) + ofSenders));
   CheckAtLeast("largest of glossy", Largest(scene.Copy("glossy")), 1e-4, "the test's own power");
