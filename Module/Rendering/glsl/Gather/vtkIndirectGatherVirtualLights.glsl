@@ -21,10 +21,6 @@ void vtkiFetchLight(int light, out vec4 sender, out vec4 senderNormal, out vec3 
   density = texelFetch(vtkiLightDensity, at, 0).rgb;
 }
 
-#ifdef VTKI_DIVIDED
-vtkiSight vtkiReceiverSight; // of the receiver whose light is summed
-#endif
-
 // Adds the light of a cluster as a whole, with this density. Returns true if the receiver is near
 // to the cluster, so that its branches are to be added.
 bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
@@ -43,8 +39,7 @@ bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender
 #endif
   irradiance += seen ? density * (weight * (1.0f - division)) : vec3(0.0f);
 #ifdef VTKI_DIVIDED
-  vtkiKeepSight(vtkiReceiverSight, open, toSender, senderNormal.xyz, division, seen ? 1.0f : 0.0f);
-  return division * vtkiShareOfBranches(vtkiReceiverSight, open, toSender, seen ? 1.0f : 0.0f) > 0.0f;
+  return vtkiKeepSight(vtkiReceiverSight, open, toSender, senderNormal.xyz, division, seen ? 1.0f : 0.0f);
 #else
   return false;
 #endif
@@ -90,7 +85,7 @@ vec3 vtkiGather(vec3 position, vec3 normal, vec3 facet)
 {
   vec3 total = vec3(0.0f);
 #ifdef VTKI_DIVIDED
-  vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
+  vtkiStartSight();
 #endif
   vec3 open = position;
 #ifdef VTKI_VISIBILITY

@@ -91,6 +91,14 @@ void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 *
 
 #ifdef VTKI_DIVIDED
 vtkiSight vtkiSights[4 * VTKI_BLOCKS]; // of the receivers
+
+void vtkiStartSights()
+{
+  for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
+  {
+    vtkiSights[i] = vtkiSight(0.0f, 0.0f);
+  }
+}
 #endif
 
 // Adds the light of a cluster as a whole to all blocks. Returns true if one of them is near to it.
@@ -100,20 +108,19 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
 {
   float share[4 * VTKI_BLOCKS];
   vtkiFindShares(light, sender, senderNormal, position, normal, facet VTKI_WITH_LOOKS, share);
-  float nearest = 0.0f;
+  bool isNear = false;
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
 #ifdef VTKI_DIVIDED
     vec3 toSender = sender.xyz - position[i];
     float division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
-    vtkiKeepSight(vtkiSights[i], facet[i], toSender, senderNormal.xyz, division, share[i]);
-    nearest = max(nearest, division * vtkiShareOfBranches(vtkiSights[i], facet[i], toSender, share[i]));
+    isNear = vtkiKeepSight(vtkiSights[i], facet[i], toSender, senderNormal.xyz, division, share[i]) || isNear;
     share[i] -= share[i] * division;
 #endif
     vtkiAddSeenLight(position[i], normal[i], share[i], vtkiSoftening(senderNormal.w, sender.w), sender, senderNormal,
       density, irradiance[i], vectorIrradiance[i]);
   }
-  return nearest > 0.0f;
+  return isNear;
 }
 
 #ifdef VTKI_DIVIDED
@@ -172,10 +179,10 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     wanted[i] = vtkiFetchLeaf(texel, position[i], normal[i], facet[i]) && exists[i >> 2];
     irradiance[i] = vec3(0.0f);
     vectorIrradiance[i] = vec3(0.0f);
-#ifdef VTKI_DIVIDED
-    vtkiSights[i] = vtkiSight(0.0f, 0.0f);
-#endif
   }
+#ifdef VTKI_DIVIDED
+  vtkiStartSights();
+#endif
 #ifdef VTKI_SHARES_LOOKS
   vtkiLooks looks[VTKI_BLOCKS];
   for (int block = 0; block < VTKI_BLOCKS; ++block)

@@ -58,10 +58,6 @@ bool vtkiSees(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec
 #endif
 }
 
-#ifdef VTKI_DIVIDED
-vtkiSight vtkiReceiverSight; // of the receiver whose light is summed
-#endif
-
 // Adds the light of a cluster as a whole. Returns true if the receiver is near to it, so that its
 // branches are to be added.
 bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
@@ -76,8 +72,7 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
   vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiSoftening(senderNormal.w, sender.w), sender,
     senderNormal, density, irradiance, vectorIrradiance);
 #ifdef VTKI_DIVIDED
-  vtkiKeepSight(vtkiReceiverSight, open, toSender, senderNormal.xyz, division, seen ? 1.0f : 0.0f);
-  return division * vtkiShareOfBranches(vtkiReceiverSight, open, toSender, seen ? 1.0f : 0.0f) > 0.0f;
+  return vtkiKeepSight(vtkiReceiverSight, open, toSender, senderNormal.xyz, division, seen ? 1.0f : 0.0f);
 #else
   return false;
 #endif
@@ -115,7 +110,7 @@ void vtkiAddWholeLight(vec3 position, vec3 normal, vec3 open, int light, vec4 se
   inout vec3 irradiance, inout vec3 vectorIrradiance)
 {
 #ifdef VTKI_DIVIDED
-  vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
+  vtkiStartSight();
 #endif
   bool isNear =
     vtkiAddLight(position, normal, open, light, sender, senderNormal, density, irradiance, vectorIrradiance);
@@ -133,7 +128,7 @@ void vtkiEvaluateSubsplat(
   vec3 open = vtkiOpenPlace(position, normal, facet);
   int count = wanted ? vtkiLightCount : 0;
 #ifdef VTKI_DIVIDED
-  vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
+  vtkiStartSight();
   const int atOnce = VTKI_NEAR_LIGHTS;
 #else
   int atOnce = max(count, 1);

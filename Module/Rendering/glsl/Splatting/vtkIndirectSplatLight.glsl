@@ -69,7 +69,7 @@ vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 send
 {
   vec3 irradiance = vec3(0.0f);
 #ifdef VTKI_DIVIDED
-  vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
+  vtkiStartSight();
 #endif
   bool below = vtkiAddSender(position, normal, open, light, sender, senderNormal, density, irradiance);
 #ifdef VTKI_DIVIDED

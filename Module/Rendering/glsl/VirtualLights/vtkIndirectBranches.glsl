@@ -35,13 +35,11 @@ const float VTKI_ENOUGH_SIGHT = 0.25f;
 // a third less light inside, and errors in rooms and folds are 3 % larger.
 const float VTKI_UNHIDDEN = 0.06f;
 
-void vtkiKeepSight(
-  inout vtkiSight sight, vec3 facet, vec3 toSender, vec3 senderNormal, float division, float seen)
+vtkiSight vtkiReceiverSight; // of the receiver whose light is summed
+
+void vtkiStartSight()
 {
-  float height = max(dot(facet, toSender), 0.0f);
-  float cosines = height * max(-dot(senderNormal, toSender), 0.0f) / max(dot(toSender, toSender), 1.0e-30f);
-  sight.seen += seen * division * cosines;
-  sight.all += division * cosines;
+  vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
 }
 
 // Share of a cluster's branches that a receiver sees. seen: share by the cluster's depth map.
@@ -54,6 +52,18 @@ float vtkiShareOfBranches(vtkiSight sight, vec3 facet, vec3 toSender, float seen
 #else
   return seen;
 #endif
+}
+
+// Keeps what a receiver sees of a cluster. Returns true if the cluster's branches are to be added.
+// seen: share by the cluster's depth map.
+bool vtkiKeepSight(
+  inout vtkiSight sight, vec3 facet, vec3 toSender, vec3 senderNormal, float division, float seen)
+{
+  float height = max(dot(facet, toSender), 0.0f);
+  float cosines = height * max(-dot(senderNormal, toSender), 0.0f) / max(dot(toSender, toSender), 1.0e-30f);
+  sight.seen += seen * division * cosines;
+  sight.all += division * cosines;
+  return division * vtkiShareOfBranches(sight, facet, toSender, seen) > 0.0f;
 }
 
 void vtkiKeepNear(inout uvec4 near, int light, bool isNear)
