@@ -27,6 +27,7 @@ the sphere's normal there, over the solid angle, as polynomials of sin and cos.
 from __future__ import annotations
 
 import argparse
+import itertools
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -380,18 +381,22 @@ def product_text() -> str:
         "vtkiHarmonics4 vtkiHarmonicProduct(vtkiHarmonics4 f, vtkiHarmonics4 g)",
         "{",
         "  vtkiHarmonics4 h;",
-        "  float p;",
     ]
     name = [f"{'ABCD'[i // 4]}.{'xyzw'[i % 4]}" for i in range(COUNT)]
-    lines += [f"  h.{'ABCD'[i]} = vec4(0.0f);" for i in range(4)]
-    for i in range(COUNT):
-        for j in range(i, COUNT):
-            targets = [(k, TRIPLE[i, j, k]) for k in range(COUNT) if TRIPLE[i, j, k] != 0.0]
-            if not targets:
+    for k in range(COUNT):
+        lines.append(f"  h.{name[k]} =")
+        for i, j in itertools.combinations_with_replacement(range(COUNT), 2):
+            value = TRIPLE[i, j, k]
+            if value == 0.0:
                 continue
-            both = f"f.{name[i]} * g.{name[j]}"
-            lines.append(f"  p = {both};" if i == j else f"  p = {both} + f.{name[j]} * g.{name[i]};")
-            lines += [f"  h.{name[k]} += {value:.8f}f * p;" for k, value in targets]
+            products = f"f.{name[i]} * g.{name[j]}"
+            if i != j:
+                products += f" + f.{name[j]} * g.{name[i]}"
+            term = f"{'-' if value < 0.0 else '+'} {abs(value):.8f}f * ({products})"
+            if len(lines[-1]) + len(term) > 98:
+                lines.append("   ")
+            lines[-1] += " " + (term if "=" not in lines[-1][-1] else term.removeprefix("+ "))
+        lines[-1] += ";"
     return "\n".join([*lines, "  return h;", "}", "#endif", ""])
 
 

@@ -16,330 +16,108 @@ struct vtkiHarmonics4
 vtkiHarmonics4 vtkiHarmonicProduct(vtkiHarmonics4 f, vtkiHarmonics4 g)
 {
   vtkiHarmonics4 h;
-  float p;
-  h.A = vec4(0.0f);
-  h.B = vec4(0.0f);
-  h.C = vec4(0.0f);
-  h.D = vec4(0.0f);
-  p = f.A.x * g.A.x;
-  h.A.x += 0.28209479f * p;
-  p = f.A.x * g.A.y + f.A.y * g.A.x;
-  h.A.y += 0.28209479f * p;
-  p = f.A.x * g.A.z + f.A.z * g.A.x;
-  h.A.z += 0.28209479f * p;
-  p = f.A.x * g.A.w + f.A.w * g.A.x;
-  h.A.w += 0.28209479f * p;
-  p = f.A.x * g.B.x + f.B.x * g.A.x;
-  h.B.x += 0.28209479f * p;
-  p = f.A.x * g.B.y + f.B.y * g.A.x;
-  h.B.y += 0.28209479f * p;
-  p = f.A.x * g.B.z + f.B.z * g.A.x;
-  h.B.z += 0.28209479f * p;
-  p = f.A.x * g.B.w + f.B.w * g.A.x;
-  h.B.w += 0.28209479f * p;
-  p = f.A.x * g.C.x + f.C.x * g.A.x;
-  h.C.x += 0.28209479f * p;
-  p = f.A.x * g.C.y + f.C.y * g.A.x;
-  h.C.y += 0.28209479f * p;
-  p = f.A.x * g.C.z + f.C.z * g.A.x;
-  h.C.z += 0.28209479f * p;
-  p = f.A.x * g.C.w + f.C.w * g.A.x;
-  h.C.w += 0.28209479f * p;
-  p = f.A.x * g.D.x + f.D.x * g.A.x;
-  h.D.x += 0.28209479f * p;
-  p = f.A.x * g.D.y + f.D.y * g.A.x;
-  h.D.y += 0.28209479f * p;
-  p = f.A.x * g.D.z + f.D.z * g.A.x;
-  h.D.z += 0.28209479f * p;
-  p = f.A.x * g.D.w + f.D.w * g.A.x;
-  h.D.w += 0.28209479f * p;
-  p = f.A.y * g.A.y;
-  h.A.x += 0.28209479f * p;
-  h.B.z += -0.12615663f * p;
-  h.C.x += -0.21850969f * p;
-  p = f.A.y * g.A.z + f.A.z * g.A.y;
-  h.B.y += 0.21850969f * p;
-  p = f.A.y * g.A.w + f.A.w * g.A.y;
-  h.B.x += 0.21850969f * p;
-  p = f.A.y * g.B.x + f.B.x * g.A.y;
-  h.A.w += 0.21850969f * p;
-  h.D.y += -0.05839917f * p;
-  h.D.w += -0.22617901f * p;
-  p = f.A.y * g.B.y + f.B.y * g.A.y;
-  h.A.z += 0.21850969f * p;
-  h.D.x += -0.14304817f * p;
-  h.D.z += -0.18467439f * p;
-  p = f.A.y * g.B.z + f.B.z * g.A.y;
-  h.A.y += -0.12615663f * p;
-  h.C.w += 0.20230066f * p;
-  p = f.A.y * g.B.w + f.B.w * g.A.y;
-  h.C.z += 0.18467439f * p;
-  p = f.A.y * g.C.x + f.C.x * g.A.y;
-  h.A.y += -0.21850969f * p;
-  h.C.y += 0.22617901f * p;
-  h.C.w += 0.05839917f * p;
-  p = f.A.y * g.C.y + f.C.y * g.A.y;
-  h.C.x += 0.22617901f * p;
-  p = f.A.y * g.C.z + f.C.z * g.A.y;
-  h.B.w += 0.18467439f * p;
-  p = f.A.y * g.C.w + f.C.w * g.A.y;
-  h.B.z += 0.20230066f * p;
-  h.C.x += 0.05839917f * p;
-  p = f.A.y * g.D.x + f.D.x * g.A.y;
-  h.B.y += -0.14304817f * p;
-  p = f.A.y * g.D.y + f.D.y * g.A.y;
-  h.B.x += -0.05839917f * p;
-  p = f.A.y * g.D.z + f.D.z * g.A.y;
-  h.B.y += -0.18467439f * p;
-  p = f.A.y * g.D.w + f.D.w * g.A.y;
-  h.B.x += -0.22617901f * p;
-  p = f.A.z * g.A.z;
-  h.A.x += 0.28209479f * p;
-  h.B.z += 0.25231325f * p;
-  p = f.A.z * g.A.w + f.A.w * g.A.z;
-  h.B.w += 0.21850969f * p;
-  p = f.A.z * g.B.x + f.B.x * g.A.z;
-  h.C.z += 0.18467439f * p;
-  p = f.A.z * g.B.y + f.B.y * g.A.z;
-  h.A.y += 0.21850969f * p;
-  h.C.w += 0.23359668f * p;
-  p = f.A.z * g.B.z + f.B.z * g.A.z;
-  h.A.z += 0.25231325f * p;
-  h.D.x += 0.24776670f * p;
-  p = f.A.z * g.B.w + f.B.w * g.A.z;
-  h.A.w += 0.21850969f * p;
-  h.D.y += 0.23359668f * p;
-  p = f.A.z * g.C.x + f.C.x * g.A.z;
-  h.D.z += 0.18467439f * p;
-  p = f.A.z * g.C.z + f.C.z * g.A.z;
-  h.B.x += 0.18467439f * p;
-  p = f.A.z * g.C.w + f.C.w * g.A.z;
-  h.B.y += 0.23359668f * p;
-  p = f.A.z * g.D.x + f.D.x * g.A.z;
-  h.B.z += 0.24776670f * p;
-  p = f.A.z * g.D.y + f.D.y * g.A.z;
-  h.B.w += 0.23359668f * p;
-  p = f.A.z * g.D.z + f.D.z * g.A.z;
-  h.C.x += 0.18467439f * p;
-  p = f.A.w * g.A.w;
-  h.A.x += 0.28209479f * p;
-  h.B.z += -0.12615663f * p;
-  h.C.x += 0.21850969f * p;
-  p = f.A.w * g.B.x + f.B.x * g.A.w;
-  h.A.y += 0.21850969f * p;
-  h.C.y += 0.22617901f * p;
-  h.C.w += -0.05839917f * p;
-  p = f.A.w * g.B.y + f.B.y * g.A.w;
-  h.C.z += 0.18467439f * p;
-  p = f.A.w * g.B.z + f.B.z * g.A.w;
-  h.A.w += -0.12615663f * p;
-  h.D.y += 0.20230066f * p;
-  p = f.A.w * g.B.w + f.B.w * g.A.w;
-  h.A.z += 0.21850969f * p;
-  h.D.x += -0.14304817f * p;
-  h.D.z += 0.18467439f * p;
-  p = f.A.w * g.C.x + f.C.x * g.A.w;
-  h.A.w += 0.21850969f * p;
-  h.D.y += -0.05839917f * p;
-  h.D.w += 0.22617901f * p;
-  p = f.A.w * g.C.y + f.C.y * g.A.w;
-  h.B.x += 0.22617901f * p;
-  p = f.A.w * g.C.z + f.C.z * g.A.w;
-  h.B.y += 0.18467439f * p;
-  p = f.A.w * g.C.w + f.C.w * g.A.w;
-  h.B.x += -0.05839917f * p;
-  p = f.A.w * g.D.x + f.D.x * g.A.w;
-  h.B.w += -0.14304817f * p;
-  p = f.A.w * g.D.y + f.D.y * g.A.w;
-  h.B.z += 0.20230066f * p;
-  h.C.x += -0.05839917f * p;
-  p = f.A.w * g.D.z + f.D.z * g.A.w;
-  h.B.w += 0.18467439f * p;
-  p = f.A.w * g.D.w + f.D.w * g.A.w;
-  h.C.x += 0.22617901f * p;
-  p = f.B.x * g.B.x;
-  h.A.x += 0.28209479f * p;
-  h.B.z += -0.18022375f * p;
-  p = f.B.x * g.B.y + f.B.y * g.B.x;
-  h.B.w += 0.15607835f * p;
-  p = f.B.x * g.B.z + f.B.z * g.B.x;
-  h.B.x += -0.18022375f * p;
-  p = f.B.x * g.B.w + f.B.w * g.B.x;
-  h.B.y += 0.15607835f * p;
-  p = f.B.x * g.C.y + f.C.y * g.B.x;
-  h.A.w += 0.22617901f * p;
-  h.D.y += -0.09403160f * p;
-  p = f.B.x * g.C.z + f.C.z * g.B.x;
-  h.A.z += 0.18467439f * p;
-  h.D.x += -0.18806319f * p;
-  p = f.B.x * g.C.w + f.C.w * g.B.x;
-  h.A.w += -0.05839917f * p;
-  h.D.y += 0.14567312f * p;
-  h.D.w += 0.09403160f * p;
-  p = f.B.x * g.D.x + f.D.x * g.B.x;
-  h.C.z += -0.18806319f * p;
-  p = f.B.x * g.D.y + f.D.y * g.B.x;
-  h.A.y += -0.05839917f * p;
-  h.C.y += -0.09403160f * p;
-  h.C.w += 0.14567312f * p;
-  p = f.B.x * g.D.w + f.D.w * g.B.x;
-  h.A.y += -0.22617901f * p;
-  h.C.w += 0.09403160f * p;
-  p = f.B.y * g.B.y;
-  h.A.x += 0.28209479f * p;
-  h.B.z += 0.09011188f * p;
-  h.C.x += -0.15607835f * p;
-  p = f.B.y * g.B.z + f.B.z * g.B.y;
-  h.B.y += 0.09011188f * p;
-  p = f.B.y * g.B.w + f.B.w * g.B.y;
-  h.B.x += 0.15607835f * p;
-  p = f.B.y * g.C.x + f.C.x * g.B.y;
-  h.B.y += -0.15607835f * p;
-  p = f.B.y * g.C.y + f.C.y * g.B.y;
-  h.D.z += 0.14867701f * p;
-  p = f.B.y * g.C.z + f.C.z * g.B.y;
-  h.A.w += 0.18467439f * p;
-  h.D.y += 0.11516472f * p;
-  h.D.w += -0.14867701f * p;
-  p = f.B.y * g.C.w + f.C.w * g.B.y;
-  h.A.z += 0.23359668f * p;
-  h.D.x += 0.05947080f * p;
-  h.D.z += -0.11516472f * p;
-  p = f.B.y * g.D.x + f.D.x * g.B.y;
-  h.A.y += -0.14304817f * p;
-  h.C.w += 0.05947080f * p;
-  p = f.B.y * g.D.y + f.D.y * g.B.y;
-  h.C.z += 0.11516472f * p;
-  p = f.B.y * g.D.z + f.D.z * g.B.y;
-  h.A.y += -0.18467439f * p;
-  h.C.y += 0.14867701f * p;
-  h.C.w += -0.11516472f * p;
-  p = f.B.y * g.D.w + f.D.w * g.B.y;
-  h.C.z += -0.14867701f * p;
-  p = f.B.z * g.B.z;
-  h.A.x += 0.28209479f * p;
-  h.B.z += 0.18022375f * p;
-  p = f.B.z * g.B.w + f.B.w * g.B.z;
-  h.B.w += 0.09011188f * p;
-  p = f.B.z * g.C.x + f.C.x * g.B.z;
-  h.C.x += -0.18022375f * p;
-  p = f.B.z * g.C.y + f.C.y * g.B.z;
-  h.C.y += -0.21026104f * p;
-  p = f.B.z * g.C.w + f.C.w * g.B.z;
-  h.A.y += 0.20230066f * p;
-  h.C.w += 0.12615663f * p;
-  p = f.B.z * g.D.x + f.D.x * g.B.z;
-  h.A.z += 0.24776670f * p;
-  h.D.x += 0.16820883f * p;
-  p = f.B.z * g.D.y + f.D.y * g.B.z;
-  h.A.w += 0.20230066f * p;
-  h.D.y += 0.12615663f * p;
-  p = f.B.z * g.D.w + f.D.w * g.B.z;
-  h.D.w += -0.21026104f * p;
-  p = f.B.w * g.B.w;
-  h.A.x += 0.28209479f * p;
-  h.B.z += 0.09011188f * p;
-  h.C.x += 0.15607835f * p;
-  p = f.B.w * g.C.x + f.C.x * g.B.w;
-  h.B.w += 0.15607835f * p;
-  p = f.B.w * g.C.y + f.C.y * g.B.w;
-  h.C.z += 0.14867701f * p;
-  p = f.B.w * g.C.z + f.C.z * g.B.w;
-  h.A.y += 0.18467439f * p;
-  h.C.y += 0.14867701f * p;
-  h.C.w += 0.11516472f * p;
-  p = f.B.w * g.C.w + f.C.w * g.B.w;
-  h.C.z += 0.11516472f * p;
-  p = f.B.w * g.D.x + f.D.x * g.B.w;
-  h.A.w += -0.14304817f * p;
-  h.D.y += 0.05947080f * p;
-  p = f.B.w * g.D.y + f.D.y * g.B.w;
-  h.A.z += 0.23359668f * p;
-  h.D.x += 0.05947080f * p;
-  h.D.z += 0.11516472f * p;
-  p = f.B.w * g.D.z + f.D.z * g.B.w;
-  h.A.w += 0.18467439f * p;
-  h.D.y += 0.11516472f * p;
-  h.D.w += 0.14867701f * p;
-  p = f.B.w * g.D.w + f.D.w * g.B.w;
-  h.D.z += 0.14867701f * p;
-  p = f.C.x * g.C.x;
-  h.A.x += 0.28209479f * p;
-  h.B.z += -0.18022375f * p;
-  p = f.C.x * g.C.y + f.C.y * g.C.x;
-  h.A.y += 0.22617901f * p;
-  h.C.w += -0.09403160f * p;
-  p = f.C.x * g.C.w + f.C.w * g.C.x;
-  h.A.y += 0.05839917f * p;
-  h.C.y += -0.09403160f * p;
-  h.C.w += -0.14567312f * p;
-  p = f.C.x * g.D.x + f.D.x * g.C.x;
-  h.D.z += -0.18806319f * p;
-  p = f.C.x * g.D.y + f.D.y * g.C.x;
-  h.A.w += -0.05839917f * p;
-  h.D.y += 0.14567312f * p;
-  h.D.w += -0.09403160f * p;
-  p = f.C.x * g.D.z + f.D.z * g.C.x;
-  h.A.z += 0.18467439f * p;
-  h.D.x += -0.18806319f * p;
-  p = f.C.x * g.D.w + f.D.w * g.C.x;
-  h.A.w += 0.22617901f * p;
-  h.D.y += -0.09403160f * p;
-  p = f.C.y * g.C.y;
-  h.A.x += 0.28209479f * p;
-  h.B.z += -0.21026104f * p;
-  p = f.C.y * g.C.z + f.C.z * g.C.y;
-  h.B.w += 0.14867701f * p;
-  p = f.C.y * g.C.w + f.C.w * g.C.y;
-  h.C.x += -0.09403160f * p;
-  p = f.C.y * g.D.y + f.D.y * g.C.y;
-  h.B.x += -0.09403160f * p;
-  p = f.C.y * g.D.z + f.D.z * g.C.y;
-  h.B.y += 0.14867701f * p;
-  p = f.C.z * g.C.z;
-  h.A.x += 0.28209479f * p;
-  p = f.C.z * g.C.w + f.C.w * g.C.z;
-  h.B.w += 0.11516472f * p;
-  p = f.C.z * g.D.x + f.D.x * g.C.z;
-  h.B.x += -0.18806319f * p;
-  p = f.C.z * g.D.y + f.D.y * g.C.z;
-  h.B.y += 0.11516472f * p;
-  p = f.C.z * g.D.w + f.D.w * g.C.z;
-  h.B.y += -0.14867701f * p;
-  p = f.C.w * g.C.w;
-  h.A.x += 0.28209479f * p;
-  h.B.z += 0.12615663f * p;
-  h.C.x += -0.14567312f * p;
-  p = f.C.w * g.D.x + f.D.x * g.C.w;
-  h.B.y += 0.05947080f * p;
-  p = f.C.w * g.D.y + f.D.y * g.C.w;
-  h.B.x += 0.14567312f * p;
-  p = f.C.w * g.D.z + f.D.z * g.C.w;
-  h.B.y += -0.11516472f * p;
-  p = f.C.w * g.D.w + f.D.w * g.C.w;
-  h.B.x += 0.09403160f * p;
-  p = f.D.x * g.D.x;
-  h.A.x += 0.28209479f * p;
-  h.B.z += 0.16820883f * p;
-  p = f.D.x * g.D.y + f.D.y * g.D.x;
-  h.B.w += 0.05947080f * p;
-  p = f.D.x * g.D.z + f.D.z * g.D.x;
-  h.C.x += -0.18806319f * p;
-  p = f.D.y * g.D.y;
-  h.A.x += 0.28209479f * p;
-  h.B.z += 0.12615663f * p;
-  h.C.x += 0.14567312f * p;
-  p = f.D.y * g.D.z + f.D.z * g.D.y;
-  h.B.w += 0.11516472f * p;
-  p = f.D.y * g.D.w + f.D.w * g.D.y;
-  h.C.x += -0.09403160f * p;
-  p = f.D.z * g.D.z;
-  h.A.x += 0.28209479f * p;
-  p = f.D.z * g.D.w + f.D.w * g.D.z;
-  h.B.w += 0.14867701f * p;
-  p = f.D.w * g.D.w;
-  h.A.x += 0.28209479f * p;
-  h.B.z += -0.21026104f * p;
+  h.A.x = 0.28209479f * (f.A.x * g.A.x) + 0.28209479f * (f.A.y * g.A.y)
+    + 0.28209479f * (f.A.z * g.A.z) + 0.28209479f * (f.A.w * g.A.w) + 0.28209479f * (f.B.x * g.B.x)
+    + 0.28209479f * (f.B.y * g.B.y) + 0.28209479f * (f.B.z * g.B.z) + 0.28209479f * (f.B.w * g.B.w)
+    + 0.28209479f * (f.C.x * g.C.x) + 0.28209479f * (f.C.y * g.C.y) + 0.28209479f * (f.C.z * g.C.z)
+    + 0.28209479f * (f.C.w * g.C.w) + 0.28209479f * (f.D.x * g.D.x) + 0.28209479f * (f.D.y * g.D.y)
+    + 0.28209479f * (f.D.z * g.D.z) + 0.28209479f * (f.D.w * g.D.w);
+  h.A.y = 0.28209479f * (f.A.x * g.A.y + f.A.y * g.A.x)
+    - 0.12615663f * (f.A.y * g.B.z + f.B.z * g.A.y) - 0.21850969f * (f.A.y * g.C.x + f.C.x * g.A.y)
+    + 0.21850969f * (f.A.z * g.B.y + f.B.y * g.A.z) + 0.21850969f * (f.A.w * g.B.x + f.B.x * g.A.w)
+    - 0.05839917f * (f.B.x * g.D.y + f.D.y * g.B.x) - 0.22617901f * (f.B.x * g.D.w + f.D.w * g.B.x)
+    - 0.14304817f * (f.B.y * g.D.x + f.D.x * g.B.y) - 0.18467439f * (f.B.y * g.D.z + f.D.z * g.B.y)
+    + 0.20230066f * (f.B.z * g.C.w + f.C.w * g.B.z) + 0.18467439f * (f.B.w * g.C.z + f.C.z * g.B.w)
+    + 0.22617901f * (f.C.x * g.C.y + f.C.y * g.C.x) + 0.05839917f * (f.C.x * g.C.w + f.C.w * g.C.x);
+  h.A.z = 0.28209479f * (f.A.x * g.A.z + f.A.z * g.A.x)
+    + 0.21850969f * (f.A.y * g.B.y + f.B.y * g.A.y) + 0.25231325f * (f.A.z * g.B.z + f.B.z * g.A.z)
+    + 0.21850969f * (f.A.w * g.B.w + f.B.w * g.A.w) + 0.18467439f * (f.B.x * g.C.z + f.C.z * g.B.x)
+    + 0.23359668f * (f.B.y * g.C.w + f.C.w * g.B.y) + 0.24776670f * (f.B.z * g.D.x + f.D.x * g.B.z)
+    + 0.23359668f * (f.B.w * g.D.y + f.D.y * g.B.w) + 0.18467439f * (f.C.x * g.D.z + f.D.z * g.C.x);
+  h.A.w = 0.28209479f * (f.A.x * g.A.w + f.A.w * g.A.x)
+    + 0.21850969f * (f.A.y * g.B.x + f.B.x * g.A.y) + 0.21850969f * (f.A.z * g.B.w + f.B.w * g.A.z)
+    - 0.12615663f * (f.A.w * g.B.z + f.B.z * g.A.w) + 0.21850969f * (f.A.w * g.C.x + f.C.x * g.A.w)
+    + 0.22617901f * (f.B.x * g.C.y + f.C.y * g.B.x) - 0.05839917f * (f.B.x * g.C.w + f.C.w * g.B.x)
+    + 0.18467439f * (f.B.y * g.C.z + f.C.z * g.B.y) + 0.20230066f * (f.B.z * g.D.y + f.D.y * g.B.z)
+    - 0.14304817f * (f.B.w * g.D.x + f.D.x * g.B.w) + 0.18467439f * (f.B.w * g.D.z + f.D.z * g.B.w)
+    - 0.05839917f * (f.C.x * g.D.y + f.D.y * g.C.x) + 0.22617901f * (f.C.x * g.D.w + f.D.w * g.C.x);
+  h.B.x = 0.28209479f * (f.A.x * g.B.x + f.B.x * g.A.x)
+    + 0.21850969f * (f.A.y * g.A.w + f.A.w * g.A.y) - 0.05839917f * (f.A.y * g.D.y + f.D.y * g.A.y)
+    - 0.22617901f * (f.A.y * g.D.w + f.D.w * g.A.y) + 0.18467439f * (f.A.z * g.C.z + f.C.z * g.A.z)
+    + 0.22617901f * (f.A.w * g.C.y + f.C.y * g.A.w) - 0.05839917f * (f.A.w * g.C.w + f.C.w * g.A.w)
+    - 0.18022375f * (f.B.x * g.B.z + f.B.z * g.B.x) + 0.15607835f * (f.B.y * g.B.w + f.B.w * g.B.y)
+    - 0.09403160f * (f.C.y * g.D.y + f.D.y * g.C.y) - 0.18806319f * (f.C.z * g.D.x + f.D.x * g.C.z)
+    + 0.14567312f * (f.C.w * g.D.y + f.D.y * g.C.w) + 0.09403160f * (f.C.w * g.D.w + f.D.w * g.C.w);
+  h.B.y = 0.28209479f * (f.A.x * g.B.y + f.B.y * g.A.x)
+    + 0.21850969f * (f.A.y * g.A.z + f.A.z * g.A.y) - 0.14304817f * (f.A.y * g.D.x + f.D.x * g.A.y)
+    - 0.18467439f * (f.A.y * g.D.z + f.D.z * g.A.y) + 0.23359668f * (f.A.z * g.C.w + f.C.w * g.A.z)
+    + 0.18467439f * (f.A.w * g.C.z + f.C.z * g.A.w) + 0.15607835f * (f.B.x * g.B.w + f.B.w * g.B.x)
+    + 0.09011188f * (f.B.y * g.B.z + f.B.z * g.B.y) - 0.15607835f * (f.B.y * g.C.x + f.C.x * g.B.y)
+    + 0.14867701f * (f.C.y * g.D.z + f.D.z * g.C.y) + 0.11516472f * (f.C.z * g.D.y + f.D.y * g.C.z)
+    - 0.14867701f * (f.C.z * g.D.w + f.D.w * g.C.z) + 0.05947080f * (f.C.w * g.D.x + f.D.x * g.C.w)
+    - 0.11516472f * (f.C.w * g.D.z + f.D.z * g.C.w);
+  h.B.z = 0.28209479f * (f.A.x * g.B.z + f.B.z * g.A.x) - 0.12615663f * (f.A.y * g.A.y)
+    + 0.20230066f * (f.A.y * g.C.w + f.C.w * g.A.y) + 0.25231325f * (f.A.z * g.A.z)
+    + 0.24776670f * (f.A.z * g.D.x + f.D.x * g.A.z) - 0.12615663f * (f.A.w * g.A.w)
+    + 0.20230066f * (f.A.w * g.D.y + f.D.y * g.A.w) - 0.18022375f * (f.B.x * g.B.x)
+    + 0.09011188f * (f.B.y * g.B.y) + 0.18022375f * (f.B.z * g.B.z) + 0.09011188f * (f.B.w * g.B.w)
+    - 0.18022375f * (f.C.x * g.C.x) - 0.21026104f * (f.C.y * g.C.y) + 0.12615663f * (f.C.w * g.C.w)
+    + 0.16820883f * (f.D.x * g.D.x) + 0.12615663f * (f.D.y * g.D.y) - 0.21026104f * (f.D.w * g.D.w);
+  h.B.w = 0.28209479f * (f.A.x * g.B.w + f.B.w * g.A.x)
+    + 0.18467439f * (f.A.y * g.C.z + f.C.z * g.A.y) + 0.21850969f * (f.A.z * g.A.w + f.A.w * g.A.z)
+    + 0.23359668f * (f.A.z * g.D.y + f.D.y * g.A.z) - 0.14304817f * (f.A.w * g.D.x + f.D.x * g.A.w)
+    + 0.18467439f * (f.A.w * g.D.z + f.D.z * g.A.w) + 0.15607835f * (f.B.x * g.B.y + f.B.y * g.B.x)
+    + 0.09011188f * (f.B.z * g.B.w + f.B.w * g.B.z) + 0.15607835f * (f.B.w * g.C.x + f.C.x * g.B.w)
+    + 0.14867701f * (f.C.y * g.C.z + f.C.z * g.C.y) + 0.11516472f * (f.C.z * g.C.w + f.C.w * g.C.z)
+    + 0.05947080f * (f.D.x * g.D.y + f.D.y * g.D.x) + 0.11516472f * (f.D.y * g.D.z + f.D.z * g.D.y)
+    + 0.14867701f * (f.D.z * g.D.w + f.D.w * g.D.z);
+  h.C.x = 0.28209479f * (f.A.x * g.C.x + f.C.x * g.A.x) - 0.21850969f * (f.A.y * g.A.y)
+    + 0.22617901f * (f.A.y * g.C.y + f.C.y * g.A.y) + 0.05839917f * (f.A.y * g.C.w + f.C.w * g.A.y)
+    + 0.18467439f * (f.A.z * g.D.z + f.D.z * g.A.z) + 0.21850969f * (f.A.w * g.A.w)
+    - 0.05839917f * (f.A.w * g.D.y + f.D.y * g.A.w) + 0.22617901f * (f.A.w * g.D.w + f.D.w * g.A.w)
+    - 0.15607835f * (f.B.y * g.B.y) - 0.18022375f * (f.B.z * g.C.x + f.C.x * g.B.z)
+    + 0.15607835f * (f.B.w * g.B.w) - 0.09403160f * (f.C.y * g.C.w + f.C.w * g.C.y)
+    - 0.14567312f * (f.C.w * g.C.w) - 0.18806319f * (f.D.x * g.D.z + f.D.z * g.D.x)
+    + 0.14567312f * (f.D.y * g.D.y) - 0.09403160f * (f.D.y * g.D.w + f.D.w * g.D.y);
+  h.C.y = 0.28209479f * (f.A.x * g.C.y + f.C.y * g.A.x)
+    + 0.22617901f * (f.A.y * g.C.x + f.C.x * g.A.y) + 0.22617901f * (f.A.w * g.B.x + f.B.x * g.A.w)
+    - 0.09403160f * (f.B.x * g.D.y + f.D.y * g.B.x) + 0.14867701f * (f.B.y * g.D.z + f.D.z * g.B.y)
+    - 0.21026104f * (f.B.z * g.C.y + f.C.y * g.B.z) + 0.14867701f * (f.B.w * g.C.z + f.C.z * g.B.w)
+    - 0.09403160f * (f.C.x * g.C.w + f.C.w * g.C.x);
+  h.C.z = 0.28209479f * (f.A.x * g.C.z + f.C.z * g.A.x)
+    + 0.18467439f * (f.A.y * g.B.w + f.B.w * g.A.y) + 0.18467439f * (f.A.z * g.B.x + f.B.x * g.A.z)
+    + 0.18467439f * (f.A.w * g.B.y + f.B.y * g.A.w) - 0.18806319f * (f.B.x * g.D.x + f.D.x * g.B.x)
+    + 0.11516472f * (f.B.y * g.D.y + f.D.y * g.B.y) - 0.14867701f * (f.B.y * g.D.w + f.D.w * g.B.y)
+    + 0.14867701f * (f.B.w * g.C.y + f.C.y * g.B.w) + 0.11516472f * (f.B.w * g.C.w + f.C.w * g.B.w);
+  h.C.w = 0.28209479f * (f.A.x * g.C.w + f.C.w * g.A.x)
+    + 0.20230066f * (f.A.y * g.B.z + f.B.z * g.A.y) + 0.05839917f * (f.A.y * g.C.x + f.C.x * g.A.y)
+    + 0.23359668f * (f.A.z * g.B.y + f.B.y * g.A.z) - 0.05839917f * (f.A.w * g.B.x + f.B.x * g.A.w)
+    + 0.14567312f * (f.B.x * g.D.y + f.D.y * g.B.x) + 0.09403160f * (f.B.x * g.D.w + f.D.w * g.B.x)
+    + 0.05947080f * (f.B.y * g.D.x + f.D.x * g.B.y) - 0.11516472f * (f.B.y * g.D.z + f.D.z * g.B.y)
+    + 0.12615663f * (f.B.z * g.C.w + f.C.w * g.B.z) + 0.11516472f * (f.B.w * g.C.z + f.C.z * g.B.w)
+    - 0.09403160f * (f.C.x * g.C.y + f.C.y * g.C.x) - 0.14567312f * (f.C.x * g.C.w + f.C.w * g.C.x);
+  h.D.x = 0.28209479f * (f.A.x * g.D.x + f.D.x * g.A.x)
+    - 0.14304817f * (f.A.y * g.B.y + f.B.y * g.A.y) + 0.24776670f * (f.A.z * g.B.z + f.B.z * g.A.z)
+    - 0.14304817f * (f.A.w * g.B.w + f.B.w * g.A.w) - 0.18806319f * (f.B.x * g.C.z + f.C.z * g.B.x)
+    + 0.05947080f * (f.B.y * g.C.w + f.C.w * g.B.y) + 0.16820883f * (f.B.z * g.D.x + f.D.x * g.B.z)
+    + 0.05947080f * (f.B.w * g.D.y + f.D.y * g.B.w) - 0.18806319f * (f.C.x * g.D.z + f.D.z * g.C.x);
+  h.D.y = 0.28209479f * (f.A.x * g.D.y + f.D.y * g.A.x)
+    - 0.05839917f * (f.A.y * g.B.x + f.B.x * g.A.y) + 0.23359668f * (f.A.z * g.B.w + f.B.w * g.A.z)
+    + 0.20230066f * (f.A.w * g.B.z + f.B.z * g.A.w) - 0.05839917f * (f.A.w * g.C.x + f.C.x * g.A.w)
+    - 0.09403160f * (f.B.x * g.C.y + f.C.y * g.B.x) + 0.14567312f * (f.B.x * g.C.w + f.C.w * g.B.x)
+    + 0.11516472f * (f.B.y * g.C.z + f.C.z * g.B.y) + 0.12615663f * (f.B.z * g.D.y + f.D.y * g.B.z)
+    + 0.05947080f * (f.B.w * g.D.x + f.D.x * g.B.w) + 0.11516472f * (f.B.w * g.D.z + f.D.z * g.B.w)
+    + 0.14567312f * (f.C.x * g.D.y + f.D.y * g.C.x) - 0.09403160f * (f.C.x * g.D.w + f.D.w * g.C.x);
+  h.D.z = 0.28209479f * (f.A.x * g.D.z + f.D.z * g.A.x)
+    - 0.18467439f * (f.A.y * g.B.y + f.B.y * g.A.y) + 0.18467439f * (f.A.z * g.C.x + f.C.x * g.A.z)
+    + 0.18467439f * (f.A.w * g.B.w + f.B.w * g.A.w) + 0.14867701f * (f.B.y * g.C.y + f.C.y * g.B.y)
+    - 0.11516472f * (f.B.y * g.C.w + f.C.w * g.B.y) + 0.11516472f * (f.B.w * g.D.y + f.D.y * g.B.w)
+    + 0.14867701f * (f.B.w * g.D.w + f.D.w * g.B.w) - 0.18806319f * (f.C.x * g.D.x + f.D.x * g.C.x);
+  h.D.w = 0.28209479f * (f.A.x * g.D.w + f.D.w * g.A.x)
+    - 0.22617901f * (f.A.y * g.B.x + f.B.x * g.A.y) + 0.22617901f * (f.A.w * g.C.x + f.C.x * g.A.w)
+    + 0.09403160f * (f.B.x * g.C.w + f.C.w * g.B.x) - 0.14867701f * (f.B.y * g.C.z + f.C.z * g.B.y)
+    - 0.21026104f * (f.B.z * g.D.w + f.D.w * g.B.z) + 0.14867701f * (f.B.w * g.D.z + f.D.z * g.B.w)
+    - 0.09403160f * (f.C.x * g.D.y + f.D.y * g.C.x);
   return h;
 }
 #endif
