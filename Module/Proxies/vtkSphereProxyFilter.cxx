@@ -354,46 +354,6 @@ double vtkSphereProxyFilter::GetMeasure(const char* name)
   return value ? value->GetValue(0) : 0.0;
 }
 
-double vtkSphereProxyFilter::GetError()
-{
-  return this->GetMeasure("Error");
-}
-
-double vtkSphereProxyFilter::GetCoveredArea()
-{
-  return this->GetMeasure("CoveredArea");
-}
-
-double vtkSphereProxyFilter::GetMaximumGap()
-{
-  return this->GetMeasure("MaximumGap");
-}
-
-double vtkSphereProxyFilter::GetRootMeanSquareError()
-{
-  return this->GetMeasure("RootMeanSquareError");
-}
-
-double vtkSphereProxyFilter::GetMaximumProtrusion()
-{
-  return this->GetMeasure("MaximumProtrusion");
-}
-
-double vtkSphereProxyFilter::GetSolidVolume()
-{
-  return this->GetMeasure("SolidVolume");
-}
-
-double vtkSphereProxyFilter::GetCoveredVolume()
-{
-  return this->GetMeasure("CoveredVolume");
-}
-
-double vtkSphereProxyFilter::GetProtrudingVolume()
-{
-  return this->GetMeasure("ProtrudingVolume");
-}
-
 //------------------------------------------------------------------------------
 void vtkSphereProxyFilter::PrintSelf(ostream& os, vtkIndent indent)
 {

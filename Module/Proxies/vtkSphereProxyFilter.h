@@ -134,20 +134,20 @@ public:
   ///@{
   /** Measures of the last update; lengths and volumes in the input's unit. */
   /** The error for which spheres were chosen. */
-  double GetError();
+  double GetError() { return this->GetMeasure("Error"); }
   /** Share of the surface within the error outside of the spheres. */
-  double GetCoveredArea();
+  double GetCoveredArea() { return this->GetMeasure("CoveredArea"); }
   /** Largest distance of the surface outside of the spheres. */
-  double GetMaximumGap();
+  double GetMaximumGap() { return this->GetMeasure("MaximumGap"); }
   /** Distance between the surface and that of the spheres' union. */
-  double GetRootMeanSquareError();
+  double GetRootMeanSquareError() { return this->GetMeasure("RootMeanSquareError"); }
   /** Largest extent of a sphere beyond the solid, or from a sheet. */
-  double GetMaximumProtrusion();
-  double GetSolidVolume();
+  double GetMaximumProtrusion() { return this->GetMeasure("MaximumProtrusion"); }
+  double GetSolidVolume() { return this->GetMeasure("SolidVolume"); }
   /** Share of the solid inside of spheres; 1 without a solid. */
-  double GetCoveredVolume();
+  double GetCoveredVolume() { return this->GetMeasure("CoveredVolume"); }
   /** Volume of the union of spheres outside of the solid. */
-  double GetProtrudingVolume();
+  double GetProtrudingVolume() { return this->GetMeasure("ProtrudingVolume"); }
   /** Number of fits of the spheres: motion does not count. */
   int GetNumberOfFits() { return this->NumberOfFits; }
   ///@}

@@ -19,12 +19,6 @@ vtkEGLBinding vtkEGLBinding::GetCurrent()
 }
 
 //------------------------------------------------------------------------------
-bool vtkEGLBinding::IsCurrent() const
-{
-  return this->HasContext() && GetCurrent().Context == this->Context;
-}
-
-//------------------------------------------------------------------------------
 bool vtkEGLBinding::MakeCurrent() const
 {
   eglBindAPI(EGL_OPENGL_API);

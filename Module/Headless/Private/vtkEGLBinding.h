@@ -15,7 +15,7 @@ struct vtkEGLBinding
   bool HasContext() const { return this->Context != EGL_NO_CONTEXT; }
 
   static vtkEGLBinding GetCurrent();
-  bool IsCurrent() const;
+  bool IsCurrent() const { return this->HasContext() && GetCurrent().Context == this->Context; }
   bool MakeCurrent() const;
 
   /** Leaves the thread without a current context if this one was current. */

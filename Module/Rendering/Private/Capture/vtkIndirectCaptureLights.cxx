@@ -77,12 +77,6 @@ void vtkIndirectCaptureLights::Update(
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectCaptureLights::GetConeCosine(int light)
-{
-  return "vtkiConeCosine" + std::to_string(light);
-}
-
-//------------------------------------------------------------------------------
 std::string vtkIndirectCaptureLights::GetDeclarations(
   const vtkIndirectLightConstants::Group& group, bool named)
 {

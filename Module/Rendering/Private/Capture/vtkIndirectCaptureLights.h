@@ -21,7 +21,7 @@ public:
   void Update(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows);
 
   /** Name of VTK's cosine of the cone's angle, which its own code takes at every pixel. */
-  static std::string GetConeCosine(int light);
+  static std::string GetConeCosine(int light) { return "vtkiConeCosine" + std::to_string(light); }
 
   /**
    * Declarations for a shadow look-up of these lights. named: each row is a separate uniform, which

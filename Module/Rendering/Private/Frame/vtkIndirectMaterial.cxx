@@ -300,12 +300,6 @@ glm::dvec3 vtkIndirectMaterial::Finish(const glm::dvec3& color, double metal) co
 }
 
 //------------------------------------------------------------------------------
-glm::dvec3 vtkIndirectMaterial::Get(vtkIdType number) const
-{
-  return this->Finish(this->GetColor(number), 1.0);
-}
-
-//------------------------------------------------------------------------------
 glm::dvec3 vtkIndirectMaterial::GetMean() const
 {
   const vtkIdType count = this->Colors ? this->Colors->GetNumberOfTuples() : 0;

@@ -73,7 +73,7 @@ public:
   /** Returns the mean over the front of a triangle; a texture's mean is that of samples. */
   glm::dvec3 FindMean(vtkIdType cell, const vtkIdType points[3]) const;
   /** Returns the albedo of a point, or of a cell if IsByCell; without textures. */
-  glm::dvec3 Get(vtkIdType number) const;
+  glm::dvec3 Get(vtkIdType number) const { return this->Finish(this->GetColor(number), 1.0); }
   /** Returns the mean over all points or cells, times the means of textures. */
   glm::dvec3 GetMean() const;
   /** Returns the reason why these are not the colours that VTK draws; empty if they are. */

@@ -179,18 +179,6 @@ void vtkIndirectStageTimer::Release()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectStageTimer::Reset()
-{
-  this->Frames.clear();
-}
-
-//------------------------------------------------------------------------------
-vtkIndirectStageTimer::Statistics vtkIndirectStageTimer::Get(int stage, Clock clock) const
-{
-  return this->GetSum(1u << stage, clock);
-}
-
-//------------------------------------------------------------------------------
 vtkIndirectStageTimer::Statistics vtkIndirectStageTimer::GetSum(
   unsigned int stages, Clock clock) const
 {

@@ -47,7 +47,7 @@ public:
   /** A stage may begin several times in a frame, and within another; not within itself. */
   void Begin(Stage stage);
   void End(Stage stage);
-  void Reset();
+  void Reset() { this->Frames.clear(); }
   /** Releases the queries; times stay. */
   void Release();
 
@@ -65,7 +65,7 @@ public:
     Wall,
     GPU // over the frames whose OpenGL had queries
   };
-  Statistics Get(int stage, Clock clock = Wall) const;
+  Statistics Get(int stage, Clock clock = Wall) const { return this->GetSum(1u << stage, clock); }
   /** Returns statistics over frames of the sum of some stages; bit i selects stage i. */
   Statistics GetSum(unsigned int stages, Clock clock = Wall) const;
   static Statistics Summarize(std::vector<double> times);

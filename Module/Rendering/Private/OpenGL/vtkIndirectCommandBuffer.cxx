@@ -31,12 +31,6 @@ size_t vtkIndirectCommandBuffer::CountBytes(size_t lists, size_t words)
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectCommandBuffer::GetOffset(size_t word) const
-{
-  return CountBytes(this->NumberOfLists, word);
-}
-
-//------------------------------------------------------------------------------
 vtkOpenGLRenderWindow* vtkIndirectCommandBuffer::GetWindow() const
 {
   return this->Window;

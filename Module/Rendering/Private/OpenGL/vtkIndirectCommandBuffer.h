@@ -37,7 +37,7 @@ public:
   void Read(size_t first, size_t count, unsigned int* words) const;
 
   /** Offset of a word of the entries in the buffer. */
-  size_t GetOffset(size_t word) const;
+  size_t GetOffset(size_t word) const { return CountBytes(this->NumberOfLists, word); }
   /** Null without a buffer. */
   vtkOpenGLRenderWindow* GetWindow() const;
   /** Bytes of a buffer whose entries have this many words. */

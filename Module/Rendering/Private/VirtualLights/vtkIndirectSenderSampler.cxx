@@ -196,12 +196,6 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-long long vtkIndirectSenderSampler::GetNumberOfFacesDrawn() const
-{
-  return this->Maps.GetNumberOfFacesDrawn();
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 {
   report.MainMemoryBytes += this->Clusters.GetBytes();

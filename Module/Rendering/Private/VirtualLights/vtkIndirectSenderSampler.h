@@ -41,7 +41,7 @@ public:
   const vtkIndirectEmitters::List& GetEmitters() const { return this->Emitters; }
   /** Grows when the inputs of the lights change, except their number. */
   size_t GetSourceTime() const { return this->SourceTime; }
-  long long GetNumberOfFacesDrawn() const;
+  long long GetNumberOfFacesDrawn() const { return this->Maps.GetNumberOfFacesDrawn(); }
   void AddToReport(vtkIndirectReport& report) const override;
 
 protected:

@@ -274,12 +274,6 @@ bool vtkIndirectVisibility::WalksSpheres() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectVisibility::WalksSegments() const
-{
-  return this->WalksVoxels() || this->WalksSpheres();
-}
-
-//------------------------------------------------------------------------------
 int vtkIndirectVisibility::GetMaximumNumberOfSegments() const
 {
   constexpr int row = vtkIndirectSampler::RowLength;

@@ -71,7 +71,7 @@ public:
   /** True if senders can be hidden: visibility is wanted, and something can hide them. */
   bool HidesSenders() const { return this->WalksSegments() || this->LooksUpMaps(); }
   /** True if shaders walk segments, which limits the number of senders in a draw. */
-  bool WalksSegments() const;
+  bool WalksSegments() const { return this->WalksVoxels() || this->WalksSpheres(); }
   bool LooksUpMaps() const { return this->Current.Senders && this->Current.Maps; }
   /** Returns the depth maps of virtual lights. */
   const vtkIndirectDepthAtlas& GetMaps() const { return this->Atlas; }
