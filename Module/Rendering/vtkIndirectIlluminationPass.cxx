@@ -5,9 +5,8 @@
 
 #include "Composite/vtkIndirectComposite.h"
 #include "Frame/vtkIndirectDelegateGuard.h"
-#include "Frame/vtkIndirectLightKeys.h"
+#include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectLightScope.h"
-#include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectSwitches.h"
@@ -49,7 +48,7 @@ void SetLightSize(vtkLight* light, vtkInformationDoubleKey* key, double size, do
       static_cast<vtkObject*>(nullptr), "A light's size needs a light to belong to.");
     return;
   }
-  vtkIndirectLightKeys::Set(light, key, size, most);
+  vtkIndirectInformationKeys::Set(light, key, size, most);
 }
 }
 
@@ -61,43 +60,43 @@ vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Sampler, vtkVirtualLightSample
 //------------------------------------------------------------------------------
 vtkInformationIntegerKey* vtkIndirectIlluminationPass::CASTS_SHADOWS()
 {
-  return vtkIndirectPropKeys::CastsShadows();
+  return vtkIndirectInformationKeys::CastsShadows();
 }
 
 //------------------------------------------------------------------------------
 vtkInformationIntegerKey* vtkIndirectIlluminationPass::SENDS_LIGHT()
 {
-  return vtkIndirectPropKeys::SendsLight();
+  return vtkIndirectInformationKeys::SendsLight();
 }
 
 //------------------------------------------------------------------------------
 vtkInformationStringKey* vtkIndirectIlluminationPass::NAME()
 {
-  return vtkIndirectPropKeys::Name();
+  return vtkIndirectInformationKeys::Name();
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::SetLightRadius(vtkLight* light, double radius)
 {
-  SetLightSize(light, vtkIndirectLightKeys::Radius(), radius, VTK_DOUBLE_MAX);
+  SetLightSize(light, vtkIndirectInformationKeys::LightRadius(), radius, VTK_DOUBLE_MAX);
 }
 
 //------------------------------------------------------------------------------
 double vtkIndirectIlluminationPass::GetLightRadius(vtkLight* light)
 {
-  return vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Radius());
+  return vtkIndirectInformationKeys::Get(light, vtkIndirectInformationKeys::LightRadius());
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::SetLightAngle(vtkLight* light, double degrees)
 {
-  SetLightSize(light, vtkIndirectLightKeys::Angle(), degrees, 90.0);
+  SetLightSize(light, vtkIndirectInformationKeys::LightAngle(), degrees, 90.0);
 }
 
 //------------------------------------------------------------------------------
 double vtkIndirectIlluminationPass::GetLightAngle(vtkLight* light)
 {
-  return vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Angle());
+  return vtkIndirectInformationKeys::Get(light, vtkIndirectInformationKeys::LightAngle());
 }
 
 //------------------------------------------------------------------------------

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The actors that a prop draws: the prop itself, or the parts of an assembly.
+// The actors that a prop draws (the prop itself, or the parts of an assembly), and the blocks of
+// data that a mapper draws.
 #ifndef vtkIndirectActors_h
 #define vtkIndirectActors_h
+
+#include "vtkCompositeDataIterator.h" // for blocks
+#include "vtkCompositeDataSet.h"      // for blocks
+#include "vtkSmartPointer.h"          // for blocks
 
 #include <functional> // for calls
 
@@ -16,5 +21,29 @@ namespace vtkIndirectActors
  * world coordinates.
  */
 void ForEach(vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& call);
+
+/** Calls the function for data of a class, or for each block of that class in composite data. */
+template <typename Data, typename Call>
+void ForEachBlock(vtkDataObject* object, const Call& call)
+{
+  auto take = [&call](vtkDataObject* block)
+  {
+    if (auto* data = Data::SafeDownCast(block))
+    {
+      call(data);
+    }
+  };
+  auto* composite = vtkCompositeDataSet::SafeDownCast(object);
+  if (!composite)
+  {
+    take(object);
+    return;
+  }
+  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
+  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+  {
+    take(it->GetCurrentDataObject());
+  }
+}
 }
 #endif

@@ -3,8 +3,7 @@
 #include "Frame/vtkIndirectKey.h"
 
 #include "Frame/vtkIndirectCasterBounds.h"
-#include "Frame/vtkIndirectLightKeys.h"
-#include "Frame/vtkIndirectPropKeys.h"
+#include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
@@ -276,15 +275,16 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     this->LeaveOut(prop, "its bounds are empty or not finite");
     return;
   }
-  const bool casts =
-    vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows(), kind.NoCaster == nullptr);
+  const bool casts = vtkIndirectInformationKeys::IsSet(
+    prop, vtkIndirectInformationKeys::CastsShadows(), kind.NoCaster == nullptr);
   if (casts && kind.Captured && kind.Surface)
   {
     vtkIndirectCaster caster;
     caster.Prop = prop;
     std::copy(bounds, bounds + 6, caster.Bounds);
     caster.Revision = vtkIndirectRevision::Find(prop);
-    caster.SendsLight = vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::SendsLight(), true);
+    caster.SendsLight =
+      vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::SendsLight(), true);
     caster.Triangles = kind.DepthTriangles;
     this->AllSendLight = this->AllSendLight && caster.SendsLight;
     this->SendersAreSpecular =
@@ -336,10 +336,12 @@ void vtkIndirectFrame::CollectLights()
     entry.Attenuation = glm::dvec3(attenuation[0], attenuation[1], attenuation[2]);
     entry.ConeAngle = light->GetConeAngle();
     entry.Exponent = light->GetExponent();
-    entry.Size = entry.Positional ? vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Radius())
-                                  : vtkMath::RadiansFromDegrees(vtkIndirectLightKeys::Get(
-                                      light, vtkIndirectLightKeys::Angle()));
-    const double fill = vtkIndirectLightKeys::Get(light, vtkIndirectLightKeys::Fill());
+    entry.Size = entry.Positional
+      ? vtkIndirectInformationKeys::Get(light, vtkIndirectInformationKeys::LightRadius())
+      : vtkMath::RadiansFromDegrees(
+          vtkIndirectInformationKeys::Get(light, vtkIndirectInformationKeys::LightAngle()));
+    const double fill =
+      vtkIndirectInformationKeys::Get(light, vtkIndirectInformationKeys::LightFill());
     entry.Fill = fill >= 1.0;
     // Surfaces reflect only the share of a light that casts shadows.
     entry.Color *= entry.Fill ? 1.0 : 1.0 - fill;
@@ -419,7 +421,7 @@ glm::mat4 vtkIndirectFrame::FindSceneToClip() const
 glm::dmat4 vtkIndirectFrame::ToScene(const glm::dmat4& frameToWorld) const
 {
   glm::dmat4 result = frameToWorld;
-  result[3] = glm::dvec4((glm::dvec3(frameToWorld[3]) - this->SceneCenter) * this->SceneScale, 1.0);
+  result[3] = glm::dvec4(this->ToScene(glm::dvec3(frameToWorld[3])), 1.0);
   return result;
 }
 

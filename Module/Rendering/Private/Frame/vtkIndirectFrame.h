@@ -152,6 +152,17 @@ struct vtkIndirectFrame
    */
   bool IsFurtherPart() const;
 
+  /** Returns one of the eight corners of bounds; the corners 0 and 7 are the lower and upper one.
+   */
+  static glm::dvec3 GetCorner(const double bounds[6], int i)
+  {
+    return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
+  }
+  /** Returns a place, given in world coordinates, in scene units. */
+  glm::dvec3 ToScene(const glm::dvec3& place) const
+  {
+    return (place - this->SceneCenter) * this->SceneScale;
+  }
   /** Returns the transform from an affine frame, given in world coordinates, to scene units. */
   glm::dmat4 ToScene(const glm::dmat4& frameToWorld) const;
   /**

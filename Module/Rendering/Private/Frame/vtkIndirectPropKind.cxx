@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkIndirectPropKind.h"
 
-#include "Frame/vtkIndirectPropKeys.h"
+#include "Frame/vtkIndirectActors.h"
+#include "Frame/vtkIndirectInformationKeys.h"
 #include "vtkAbstractVolumeMapper.h"
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
@@ -24,7 +23,6 @@
 #include "vtkPropAssembly.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
-#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkVersion.h"
 #include "vtkVolume.h"
@@ -130,22 +128,15 @@ bool IsLinesOrPoints(vtkDataObject* data)
     return cells->GetNumberOfLines() + cells->GetNumberOfVerts() > 0 &&
       cells->GetNumberOfPolys() + cells->GetNumberOfStrips() == 0;
   }
-  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
-  if (!composite)
-  {
-    return false;
-  }
   bool any = false;
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    if (!IsLinesOrPoints(it->GetCurrentDataObject()))
+  bool all = data && data->IsA("vtkCompositeDataSet");
+  vtkIndirectActors::ForEachBlock<vtkDataObject>(all ? data : nullptr,
+    [&](vtkDataObject* block)
     {
-      return false;
-    }
-    any = true;
-  }
-  return any;
+      any = true;
+      all = all && IsLinesOrPoints(block);
+    });
+  return any && all;
 }
 
 // Returns the same for the sources of glyphs.
@@ -252,9 +243,9 @@ std::string vtkIndirectPropKind::Describe(vtkProp* prop)
   name = prop->GetObjectName();
 #endif
   vtkInformation* keys = prop->GetPropertyKeys();
-  if (keys && keys->Has(vtkIndirectPropKeys::Name()))
+  if (keys && keys->Has(vtkIndirectInformationKeys::Name()))
   {
-    name = keys->Get(vtkIndirectPropKeys::Name());
+    name = keys->Get(vtkIndirectInformationKeys::Name());
   }
   std::string text = name.empty() ? "" : "'" + name + "'";
   auto* actor = vtkActor::SafeDownCast(prop);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frame/vtkIndirectRevision.h"
 
-#include "Frame/vtkIndirectPropKeys.h"
+#include "Frame/vtkIndirectActors.h"
+#include "Frame/vtkIndirectInformationKeys.h"
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkAlgorithmOutput.h"
@@ -10,8 +11,6 @@
 #include "vtkAssemblyPath.h"
 #include "vtkCellArray.h"
 #include "vtkCompositeDataDisplayAttributes.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
 #include "vtkLODProp3D.h"
@@ -30,7 +29,6 @@
 #include "vtkProperty.h"
 #include "vtkScalarsToColors.h"
 #include "vtkShaderProperty.h"
-#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 #include "vtkTransform.h"
 #include "vtkUniforms.h"
@@ -84,15 +82,10 @@ void vtkIndirectRevision::AddMatrix(vtkMatrix4x4* matrix)
 void vtkIndirectRevision::AddData(vtkDataObject* data)
 {
   this->AddObject(data);
-  auto* composite = vtkCompositeDataSet::SafeDownCast(data);
-  if (!composite)
+  if (data && data->IsA("vtkCompositeDataSet"))
   {
-    return;
-  }
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    this->AddObject(it->GetCurrentDataObject());
+    vtkIndirectActors::ForEachBlock<vtkDataObject>(
+      data, [this](vtkDataObject* block) { this->AddObject(block); });
   }
 }
 
@@ -201,8 +194,10 @@ void vtkIndirectRevision::AddProp(vtkProp* prop, bool whole)
   }
   this->Add(prop->GetVisibility() ? 1 : 0);
   // Only these two keys count: passes write other keys in every frame.
-  this->Add(vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()) ? 1 : 0);
-  this->Add(vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::SendsLight()) ? 1 : 0);
+  this->Add(
+    vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows()) ? 1 : 0);
+  this->Add(
+    vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::SendsLight()) ? 1 : 0);
   this->AddShaders(prop);
   if (vtkAssembly::SafeDownCast(prop) || vtkPropAssembly::SafeDownCast(prop))
   {

@@ -15,11 +15,6 @@
 
 namespace
 {
-glm::dvec3 Corner(const double bounds[6], int i)
-{
-  return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
-}
-
 // A face aimed at the scene replaces a light's own faces if it is at most this share as wide: then
 // the scene gets twice the texels, or more.
 constexpr double AimedShare = 0.5;
@@ -32,8 +27,8 @@ double AimAtCasters(const vtkIndirectFrame& frame, const vtkIndirectLight& light
   glm::dvec3 upper(-VTK_DOUBLE_MAX);
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    lower = glm::min(lower, Corner(caster.GetFit(), 0));
-    upper = glm::max(upper, Corner(caster.GetFit(), 7));
+    lower = glm::min(lower, vtkIndirectFrame::GetCorner(caster.GetFit(), 0));
+    upper = glm::max(upper, vtkIndirectFrame::GetCorner(caster.GetFit(), 7));
   }
   const double none = std::numeric_limits<double>::infinity();
   if (!light.Positional || frame.Casters.empty())
@@ -116,8 +111,8 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
   {
     for (int i = 0; i < 8; ++i)
     {
-      const glm::dvec3 p =
-        glm::transpose(rotation) * (Corner(caster.GetFit(), i) - origin) * frame.SceneScale;
+      const glm::dvec3 p = glm::transpose(rotation) *
+        (vtkIndirectFrame::GetCorner(caster.GetFit(), i) - origin) * frame.SceneScale;
       lower = glm::min(lower, p);
       upper = glm::max(upper, p);
     }
@@ -244,7 +239,8 @@ bool vtkIndirectLightMap::CanHold(int face, const double bounds[6], int texels) 
   vtkIndirectFootprint footprint;
   for (int i = 0; i < 8; ++i)
   {
-    const glm::dvec3 p = toFace * (Corner(bounds, i) - origin) * this->SceneScale;
+    const glm::dvec3 p =
+      toFace * (vtkIndirectFrame::GetCorner(bounds, i) - origin) * this->SceneScale;
     const double w =
       this->HalfWidth * (this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL ? 1.0 : -p.z);
     footprint.Add(glm::dvec2(p), glm::dvec2(w), p.z > 0.0);

@@ -2,7 +2,7 @@
 #include "Pipeline/vtkIndirectLighting.h"
 
 #include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectLightKeys.h"
+#include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectMaterial.h"
 #include "Frame/vtkIndirectReport.h"
 #include "vtkActor.h"
@@ -238,8 +238,8 @@ void vtkIndirectLighting::AddLight(const vtkIndirectLamp& lamp, bool fill)
   {
     light->SetLightTypeToSceneLight();
   }
-  vtkIndirectLightKeys::Set(
-    light, vtkIndirectLightKeys::Fill(), fill ? 1.0 : 1.0 - this->PresetLights.KeyShadow, 1.0);
+  vtkIndirectInformationKeys::Set(light, vtkIndirectInformationKeys::LightFill(),
+    fill ? 1.0 : 1.0 - this->PresetLights.KeyShadow, 1.0);
   light->SetShadowAttenuation(fill ? 0.0 : this->PresetLights.KeyShadow);
   this->Lights->AddItem(light);
   this->Directions.push_back(lamp.Direction);

@@ -3,7 +3,7 @@
 
 #include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectPropKeys.h"
+#include "Frame/vtkIndirectInformationKeys.h"
 #include "Gather/vtkIndirectSkyDirections.h"
 #include "Proxies/vtkIndirectProxyLight.h"
 #include "vtkActor.h"
@@ -69,7 +69,7 @@ double vtkIndirectSphereMotion::CountSplats(const vtkIndirectFrame& frame)
   double splats = 0.0;
   for (vtkProp* prop : frame.Props)
   {
-    if (!vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()))
+    if (!vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows()))
     {
       continue;
     }

@@ -3,8 +3,8 @@
 
 #include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectMaterial.h"
-#include "Frame/vtkIndirectPropKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
@@ -13,8 +13,6 @@
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "Visibility/vtkIndirectGlyphs.h"
 #include "vtkActor.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
@@ -33,6 +31,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+
+using vtkIndirectActors::ForEachBlock;
 
 namespace
 {
@@ -58,30 +58,6 @@ bool IsOfSpheres(vtkMapper* mapper)
   return vtkOpenGLSphereMapper::SafeDownCast(mapper) ||
     vtkOpenGLStickMapper::SafeDownCast(mapper) || vtkGlyph3DMapper::SafeDownCast(mapper) ||
     vtkPointGaussianMapper::SafeDownCast(mapper);
-}
-
-// Calls for all data sets of an input.
-void ForDataSets(vtkDataObject* input, const std::function<void(vtkDataSet*)>& call)
-{
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    auto* data = vtkDataSet::SafeDownCast(input);
-    if (data)
-    {
-      call(data);
-    }
-    return;
-  }
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    auto* data = vtkDataSet::SafeDownCast(it->GetCurrentDataObject());
-    if (data)
-    {
-      call(data);
-    }
-  }
 }
 
 // The polygons of a mapper that draws them unchanged, or of data sets.
@@ -143,7 +119,8 @@ bool vtkIndirectProxyScene::Update(
   // Splats have no surface and are no casters, but some of them look like spheres.
   for (vtkProp* prop : frame.Props)
   {
-    if (HasSplats(prop) && vtkIndirectPropKeys::IsSet(prop, vtkIndirectPropKeys::CastsShadows()) &&
+    if (HasSplats(prop) &&
+      vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows()) &&
       std::none_of(frame.Casters.begin(), frame.Casters.end(),
         [prop](const vtkIndirectCaster& caster) { return caster.Prop == prop; }))
     {
@@ -340,14 +317,14 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
 #endif
   if (auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(part.Mapper))
   {
-    ForDataSets(spheres->GetInputDataObject(0, 0),
+    ForEachBlock<vtkDataSet>(spheres->GetInputDataObject(0, 0),
       [&](vtkDataSet* data)
       { this->AddPoints(part, data, SphereAccess::GetArray(spheres), spheres->GetRadius()); });
     this->Exact += this->Spheres.size() - before;
   }
   else if (vtkOpenGLStickMapper::SafeDownCast(part.Mapper))
   {
-    ForDataSets(part.Mapper->GetInputDataObject(0, 0),
+    ForEachBlock<vtkDataSet>(part.Mapper->GetInputDataObject(0, 0),
       [&](vtkDataSet* data)
       {
         const vtkIndirectMaterial material(part.Actor, part.Mapper, data);
@@ -413,7 +390,7 @@ void vtkIndirectProxyScene::AddGaussians(const Part& part)
   {
     this->LeaveOut("ScaleFunction of vtkPointGaussianMapper", "radii are those of the array");
   }
-  ForDataSets(mapper->GetInputDataObject(0, 0),
+  ForEachBlock<vtkDataSet>(mapper->GetInputDataObject(0, 0),
     [&](vtkDataSet* data)
     {
       vtkDataArray* sizes =
@@ -436,7 +413,7 @@ void vtkIndirectProxyScene::AddGaussians(const Part& part)
 bool vtkIndirectProxyScene::AddGlyphs(const Part& part)
 {
   bool all = true;
-  ForDataSets(part.Mapper->GetInputDataObject(0, 0),
+  ForEachBlock<vtkDataSet>(part.Mapper->GetInputDataObject(0, 0),
     [&](vtkDataSet* data) { all = this->AddGlyphs(part, data) && all; });
   return all;
 }
@@ -486,11 +463,10 @@ void vtkIndirectProxyScene::AddMeshes(const Part& part)
   {
     return;
   }
-  ForDataSets(FindMeshes(part.Mapper),
-    [&](vtkDataSet* data)
+  ForEachBlock<vtkPolyData>(FindMeshes(part.Mapper),
+    [&](vtkPolyData* mesh)
     {
-      auto* mesh = vtkPolyData::SafeDownCast(data);
-      if (mesh && mesh->GetNumberOfPoints() > 0)
+      if (mesh->GetNumberOfPoints() > 0)
       {
         this->AddMesh(part, mesh);
       }

@@ -32,7 +32,8 @@ constexpr size_t MostCorners = 8;
 // Class that fits spheres to meshes, in an optional module: it registers itself by this name.
 const char* const FilterName = "vtkSphereProxyFilter";
 
-void ForCells(vtkPolyData* mesh, const std::function<void(vtkIdType, const vtkIdType*)>& call)
+// Calls the function with the points of each polygon and strip, and with true for a strip.
+void ForCells(vtkPolyData* mesh, const std::function<void(vtkIdType, const vtkIdType*, bool)>& call)
 {
   for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
   {
@@ -44,7 +45,7 @@ void ForCells(vtkPolyData* mesh, const std::function<void(vtkIdType, const vtkId
       it->GetCurrentCell(size, points);
       if (size > 2)
       {
-        call(size, points);
+        call(size, points, cells == mesh->GetStrips());
       }
     }
   }
@@ -163,7 +164,7 @@ bool vtkIndirectProxyShapes::FindSpheres(vtkPolyData* mesh, Shape& shape)
   std::vector<vtkIdType> cellOf(count, -1); // any cell of each point
   vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
   ForCells(mesh,
-    [&](vtkIdType size, const vtkIdType* points)
+    [&](vtkIdType size, const vtkIdType* points, bool)
     {
       for (vtkIdType i = 0; i < size; ++i)
       {
@@ -215,7 +216,7 @@ bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
     [mesh](const std::function<void(const glm::dvec3&, const glm::dvec3&, const glm::dvec3&)>& call)
   {
     ForCells(mesh,
-      [&](vtkIdType size, const vtkIdType* points)
+      [&](vtkIdType size, const vtkIdType* points, bool)
       {
         for (vtkIdType i = 2; i < size; ++i)
         {
@@ -324,24 +325,14 @@ bool vtkIndirectProxyShapes::IsSheet(vtkPolyData* mesh)
       ++edges[std::minmax(ids[i], ids[(i + 1) % 3])];
     }
   };
-  const auto forCells = [](vtkCellArray* cells, const auto& call)
-  {
-    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  ForCells(mesh,
+    [&](vtkIdType size, const vtkIdType* points, bool strip)
     {
-      vtkIdType size = 0;
-      const vtkIdType* points = nullptr;
-      it->GetCurrentCell(size, points);
       for (vtkIdType i = 2; i < size; ++i)
       {
-        call(points, i);
+        add(points[strip ? i - 2 : 0], points[i - 1], points[i]);
       }
-    }
-  };
-  forCells(mesh->GetPolys(),
-    [&](const vtkIdType* points, vtkIdType i) { add(points[0], points[i - 1], points[i]); });
-  forCells(mesh->GetStrips(),
-    [&](const vtkIdType* points, vtkIdType i) { add(points[i - 2], points[i - 1], points[i]); });
+    });
   double border = 0.0;
   for (const auto& [ends, count] : edges)
   {

@@ -40,13 +40,8 @@ glm::ivec3 vtkIndirectHintRegions::FindSize(const glm::dvec3& extent) const
 //------------------------------------------------------------------------------
 vtkIndirectHintGrid::Region vtkIndirectHintRegions::FindCoarse(const vtkIndirectFrame& frame) const
 {
-  glm::dvec3 lower;
-  glm::dvec3 upper;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    lower[axis] = (frame.SceneBounds[2 * axis] - frame.SceneCenter[axis]) * frame.SceneScale;
-    upper[axis] = (frame.SceneBounds[2 * axis + 1] - frame.SceneCenter[axis]) * frame.SceneScale;
-  }
+  glm::dvec3 lower = frame.ToScene(vtkIndirectFrame::GetCorner(frame.SceneBounds, 0));
+  glm::dvec3 upper = frame.ToScene(vtkIndirectFrame::GetCorner(frame.SceneBounds, 7));
   const glm::dmat4 viewToScene = frame.ViewToScene;
   if (this->OfView)
   {
@@ -89,8 +84,7 @@ vtkIndirectHintGrid::Region vtkIndirectHintRegions::FindFine(
   const glm::dvec3 cell = edge / glm::dvec3(fine.Size);
   double focal[3];
   frame.Renderer->GetActiveCamera()->GetFocalPoint(focal);
-  const glm::dvec3 center =
-    (glm::dvec3(focal[0], focal[1], focal[2]) - frame.SceneCenter) * frame.SceneScale;
+  const glm::dvec3 center = frame.ToScene({ focal[0], focal[1], focal[2] });
   const glm::dvec3 corner =
     glm::clamp(center - 0.5 * edge, coarse.Lower, coarse.Upper - edge) - coarse.Lower;
   // Moves by four cells at a time: steps of one would make new hints for every small movement.

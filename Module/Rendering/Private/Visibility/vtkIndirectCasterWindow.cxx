@@ -74,10 +74,9 @@ void FlipEdges(vtkPoints* points, const vtkIdType* ids, vtkIdType size,
 std::array<glm::dvec3, 8> ToBox(const vtkIndirectFrame& frame, const double bounds[6])
 {
   std::array<glm::dvec3, 8> box;
-  for (unsigned int i = 0; i < 8; ++i)
+  for (int i = 0; i < 8; ++i)
   {
-    const glm::dvec3 p(bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)]);
-    box[i] = (p - frame.SceneCenter) * frame.SceneScale;
+    box[i] = frame.ToScene(vtkIndirectFrame::GetCorner(bounds, i));
   }
   return box;
 }

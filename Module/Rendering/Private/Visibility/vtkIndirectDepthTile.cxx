@@ -16,9 +16,7 @@ namespace
 {
 glm::dvec3 ToScene(const vtkIndirectFrame& frame, const double bounds[6], int corner)
 {
-  const glm::dvec3 p(
-    bounds[corner & 1], bounds[2 + ((corner >> 1) & 1)], bounds[4 + ((corner >> 2) & 1)]);
-  return (p - frame.SceneCenter) * frame.SceneScale;
+  return frame.ToScene(vtkIndirectFrame::GetCorner(bounds, corner));
 }
 
 // Makes two axes across a unit vector, with the same rounding as in shaders.

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectGlyphs.h"
 
+#include "Frame/vtkIndirectActors.h"
 #include "vtkBitArray.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataObjectTreeRange.h"
@@ -12,7 +11,6 @@
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkQuaternion.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,24 +37,6 @@ struct GlyphAccess : public vtkGlyph3DMapper
     return (mapper->*(&GlyphAccess::GetSourceIndexArray))(data);
   }
 };
-
-void AddPolygons(vtkDataObject* object, std::vector<vtkPolyData*>& list)
-{
-  if (auto* data = vtkPolyData::SafeDownCast(object))
-  {
-    list.push_back(data);
-  }
-  auto* composite = vtkCompositeDataSet::SafeDownCast(object);
-  if (!composite)
-  {
-    return;
-  }
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    AddPolygons(it->GetCurrentDataObject(), list);
-  }
-}
 
 glm::dmat3 FindTurn(int mode, const double* o)
 {
@@ -108,46 +88,26 @@ glm::dmat3 FindTurn(int mode, const double* o)
 std::vector<std::vector<vtkPolyData*>> vtkIndirectGlyphs::FindSources(vtkGlyph3DMapper* mapper)
 {
   std::vector<std::vector<vtkPolyData*>> sources;
+  auto add = [&sources](vtkDataObject* source)
+  {
+    sources.emplace_back();
+    vtkIndirectActors::ForEachBlock<vtkPolyData>(
+      source, [&sources](vtkPolyData* mesh) { sources.back().push_back(mesh); });
+  };
   if (mapper->GetUseSourceTableTree() && mapper->GetSourceTableTree())
   {
     vtkDataObjectTree* table = mapper->GetSourceTableTree();
     for (vtkDataObject* child : vtk::Range(table, vtk::DataObjectTreeOptions::None))
     {
-      sources.emplace_back();
-      AddPolygons(child, sources.back());
+      add(child);
     }
     return sources;
   }
   for (int i = 0; i < mapper->GetNumberOfInputConnections(1); ++i)
   {
-    sources.emplace_back();
-    AddPolygons(mapper->GetInputDataObject(1, i), sources.back());
+    add(mapper->GetInputDataObject(1, i));
   }
   return sources;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectGlyphs::ForEachDataSet(
-  vtkGlyph3DMapper* mapper, const std::function<void(vtkDataSet*)>& call)
-{
-  vtkDataObject* input = mapper->GetInputDataObject(0, 0);
-  if (auto* data = vtkDataSet::SafeDownCast(input))
-  {
-    call(data);
-  }
-  auto* composite = vtkCompositeDataSet::SafeDownCast(input);
-  if (!composite)
-  {
-    return;
-  }
-  auto it = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
-  for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
-  {
-    if (auto* data = vtkDataSet::SafeDownCast(it->GetCurrentDataObject()))
-    {
-      call(data);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -31,7 +31,5 @@ std::vector<std::vector<vtkPolyData*>> FindSources(vtkGlyph3DMapper* mapper);
  */
 void ForEach(vtkGlyph3DMapper* mapper, vtkDataSet* data, size_t numberOfSources,
   const std::function<void(const Instance&)>& call);
-/** Calls the function with all data sets of a mapper's input. */
-void ForEachDataSet(vtkGlyph3DMapper* mapper, const std::function<void(vtkDataSet*)>& call);
 }
 #endif

@@ -170,12 +170,6 @@ void vtkIndirectOccupancyVolume::KeepSurfaces(bool glyphs)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectOccupancyVolume::Finish()
-{
-  this->MeanAlbedo /= this->Area > 0.0 ? this->Area : 1.0;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectOccupancyVolume::Update(
   const vtkIndirectFrame& frame, const vtkIndirectSurfaces& surfaces, int resolution)
 {
@@ -191,13 +185,8 @@ bool vtkIndirectOccupancyVolume::Update(
     return false;
   }
   this->Key = key;
-  glm::dvec3 lower;
-  glm::dvec3 upper;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    lower[axis] = (frame.SceneBounds[2 * axis] - frame.SceneCenter[axis]) * frame.SceneScale;
-    upper[axis] = (frame.SceneBounds[2 * axis + 1] - frame.SceneCenter[axis]) * frame.SceneScale;
-  }
+  const glm::dvec3 lower = frame.ToScene(vtkIndirectFrame::GetCorner(frame.SceneBounds, 0));
+  const glm::dvec3 upper = frame.ToScene(vtkIndirectFrame::GetCorner(frame.SceneBounds, 7));
   this->Clear(lower, upper, resolution);
   this->AddPolygons(frame, surfaces);
   this->Finish();

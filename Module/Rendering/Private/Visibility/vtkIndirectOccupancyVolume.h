@@ -57,7 +57,7 @@ public:
   /** Adds a triangle; corners are in scene units. */
   void AddTriangle(const glm::dvec3 corners[3], const glm::dvec3& albedo);
   /** Finishes the mean albedo after the last triangle. */
-  void Finish();
+  void Finish() { this->MeanAlbedo /= this->Area > 0.0 ? this->Area : 1.0; }
 
   bool IsEmpty() const { return this->NumberOfTriangles == 0; }
   /**

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectPolygons.h"
 
+#include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectKey.h"
 #include "Visibility/vtkIndirectGlyphs.h"
@@ -206,7 +207,7 @@ bool vtkIndirectPolygons::ReadGlyphs(const vtkIndirectFrame& frame, vtkActor* ac
   auto* mapper = vtkGlyph3DMapper::SafeDownCast(actor->GetMapper());
   const std::vector<std::vector<vtkPolyData*>> sources = vtkIndirectGlyphs::FindSources(mapper);
   bool all = true;
-  vtkIndirectGlyphs::ForEachDataSet(mapper,
+  vtkIndirectActors::ForEachBlock<vtkDataSet>(mapper->GetInputDataObject(0, 0),
     [&](vtkDataSet* data)
     {
       std::vector<std::vector<vtkIndirectGlyphs::Instance>> instances(sources.size());
@@ -282,7 +283,7 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
     points->GetPoint(static_cast<vtkIdType>(i), p);
     const glm::dvec4 local(p[0], p[1], p[2], 1.0);
     glm::dvec4 world = toWorld * local;
-    this->Positions[first + i] = (glm::dvec3(world) - frame.SceneCenter) * frame.SceneScale;
+    this->Positions[first + i] = frame.ToScene(glm::dvec3(world));
     // Casters lie in the scene's bounds, whose diagonal is one; points far beyond them are invalid.
     there[i] = glm::length(this->Positions[first + i]) <= 1e3;
     for (int k = 0; planes && k < planes->GetNumberOfItems(); ++k)

@@ -218,12 +218,11 @@ vtkIndirectRandomWalk::Emission::Emission(
   glm::dvec3 upper(-VTK_DOUBLE_MAX);
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    const double* const fit = caster.GetFit();
-    lower = glm::min(lower, glm::dvec3(fit[0], fit[2], fit[4]));
-    upper = glm::max(upper, glm::dvec3(fit[1], fit[3], fit[5]));
+    lower = glm::min(lower, vtkIndirectFrame::GetCorner(caster.GetFit(), 0));
+    upper = glm::max(upper, vtkIndirectFrame::GetCorner(caster.GetFit(), 7));
   }
-  lower = (lower - frame.SceneCenter) * frame.SceneScale;
-  upper = (upper - frame.SceneCenter) * frame.SceneScale;
+  lower = frame.ToScene(lower);
+  upper = frame.ToScene(upper);
   const glm::dvec3 middle = 0.5 * (lower + upper);
   if (!this->Light.Positional)
   {
@@ -237,7 +236,7 @@ vtkIndirectRandomWalk::Emission::Emission(
     this->Origin = middle - 1.01 * (glm::dot(half, glm::abs(this->Axis)) + 1e-3) * this->Axis;
     return;
   }
-  this->Origin = (this->Light.PositionWC - frame.SceneCenter) * frame.SceneScale;
+  this->Origin = frame.ToScene(this->Light.PositionWC);
   const glm::dvec3 toMiddle = middle - this->Origin;
   const double distance = glm::length(toMiddle);
   const double radius = 0.501 * glm::length(upper - lower);

@@ -122,7 +122,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
       const glm::dvec3 way = light.Positional ? glm::normalize(ray) : axis;
       const glm::dvec3 origin =
         light.Positional ? light.PositionWC : center - 2.0 * radius * axis + x * right + y * up;
-      paths[at] = body.Trace((origin - frame.SceneCenter) * s, way);
+      paths[at] = body.Trace(frame.ToScene(origin), way);
       const double length = glm::length(ray);
       const double angle = step * step / (length * length * length);
       areas[at] = light.Positional ? angle * distance * distance : step * step;

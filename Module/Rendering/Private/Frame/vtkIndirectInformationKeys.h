@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Keys for properties of props and lights for which VTK has no method. Those of a prop are in
+// vtkProp::SetPropertyKeys and set what the prop takes part in; those of a light are in the light's
+// information and vanish with the light. Users reach them by static methods of
+// vtkIndirectIlluminationPass, which document them.
+#ifndef vtkIndirectInformationKeys_h
+#define vtkIndirectInformationKeys_h
+
+class vtkInformationDoubleKey;
+class vtkInformationIntegerKey;
+class vtkInformationStringKey;
+class vtkLight;
+class vtkProp;
+
+namespace vtkIndirectInformationKeys
+{
+vtkInformationIntegerKey* CastsShadows();
+vtkInformationIntegerKey* SendsLight();
+vtkInformationStringKey* Name();
+vtkInformationDoubleKey* LightRadius(); // world units
+vtkInformationDoubleKey* LightAngle();  // degrees
+vtkInformationDoubleKey* LightFill();   // share; 1: see vtkIndirectLight; set by presets alone
+
+/** Returns the value of a prop's key; `otherwise` if it is not set. */
+bool IsSet(vtkProp* prop, vtkInformationIntegerKey* key, bool otherwise = true);
+/** Returns a key's value for a light; 0 if it is not set. */
+double Get(vtkLight* light, vtkInformationDoubleKey* key);
+/** Sets a key's value, clamped to [0, most]; a value that is not a number becomes 0. */
+void Set(vtkLight* light, vtkInformationDoubleKey* key, double value, double most);
+}
+
+#endif
