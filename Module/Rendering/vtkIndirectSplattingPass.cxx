@@ -105,7 +105,6 @@ bool SplatSum::SumGlossy(const Input& input)
   {
     return this->Splats.SumGlossy(input, this->Table, *this->Glossy);
   }
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(input.Frame.Window->GetState());
   return this->GlossyGather.Sum(input, *this->Glossy, 1.0, {}) &&
     this->Lobes.AddToGlossy(input, *this->Glossy);
 }

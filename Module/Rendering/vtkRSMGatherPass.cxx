@@ -5,7 +5,6 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Capture/vtkIndirectReceiverGrid.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
@@ -16,6 +15,7 @@
 #include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
@@ -23,7 +23,6 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
 
-#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkRSMGatherPass);
@@ -103,9 +102,7 @@ void GatherSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan*
 void GatherSum::SetUniforms(
   const vtkIndirectProgram& program, const Input& input, bool neighborhood)
 {
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Geometry.ActivateReceivers(program, input.Frame);
   input.Visibility.Activate(input.Frame.Window, program);
   if (neighborhood)
   {
@@ -221,9 +218,7 @@ bool GatherSum::Sum(const Input& input)
     this->Coarse.Release(frame.Window);
   }
 
-  vtkOpenGLState* state = frame.Window->GetState();
   vtkIndirectFullScreenState kernelState(frame.Window);
-
   const std::string definitions = std::string(input.Visibility.GetDefinitions()) +
     (neighborhood ? "" : input.Lights->GetDefinitions());
   this->Gather[neighborhood].SetDefinitions(definitions);
@@ -232,38 +227,16 @@ bool GatherSum::Sum(const Input& input)
   // Sums at coarse samples, or at every pixel.
   timer.Begin(vtkIndirectStageTimer::Estimate);
   vtkIndirectTarget& sums = interpolate ? this->Coarse : *this->Irradiance;
-  vtkIndirectProgram program = this->Gather[neighborhood].Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  sums.Begin();
-  if (rows > rowsPerDraw)
-  {
-    sums.Clear();
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  }
-  this->SetUniforms(program, input, neighborhood);
-  program->SetUniformi("vtkiStep", step);
-  for (int row = 0; row < rows; row += rowsPerDraw)
-  {
-    if (!neighborhood)
+  const bool summed = this->Gather[neighborhood].RunRows(frame.Window, sums, rows, rowsPerDraw,
+    [&](const vtkIndirectProgram& program)
     {
-      const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
-      program->SetUniform2i("vtkiLightRows", block);
-    }
-    this->Gather[neighborhood].Draw();
-    if (rows > rowsPerDraw)
-    {
-      glFlush();
-    }
-  }
-  state->vtkglDisable(GL_BLEND);
-  sums.End();
-  if (this->HasGlossy &&
-    !this->GlossyGather.Sum(input, *this->Glossy, 1.0,
-      { this->Set.GetNumberOfSamples(), this->Set.GetNeighborhoodRadius() }))
+      this->SetUniforms(program, input, neighborhood);
+      program->SetUniformi("vtkiStep", step);
+    });
+  if (!summed ||
+    (this->HasGlossy &&
+      !this->GlossyGather.Sum(input, *this->Glossy, 1.0,
+        { this->Set.GetNumberOfSamples(), this->Set.GetNeighborhoodRadius() })))
   {
     return false;
   }
@@ -283,21 +256,13 @@ bool GatherSum::Sum(const Input& input)
   }
 
   timer.Begin(vtkIndirectStageTimer::Upsample);
-  program = this->Upsample[neighborhood].Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Irradiance->Begin();
-  this->SetUniforms(program, input, neighborhood);
-  this->Coarse.ActivateAll(program);
-  if (!neighborhood)
-  {
-    const int all[2] = { 0, rows };
-    program->SetUniform2i("vtkiLightRows", all);
-  }
-  this->Upsample[neighborhood].Draw();
-  this->Irradiance->End();
+  const bool filled =
+    this->Upsample[neighborhood].RunRows(frame.Window, *this->Irradiance, rows, rows,
+      [&](const vtkIndirectProgram& program)
+      {
+        this->SetUniforms(program, input, neighborhood);
+        this->Coarse.ActivateAll(program);
+      });
   timer.End(vtkIndirectStageTimer::Upsample);
-  return addLobes();
+  return filled && addLobes();
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Frame/vtkIndirectEyeUniforms.h"
 #include "OpenGL/vtkIndirectGL.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
@@ -226,4 +227,12 @@ void vtkIndirectGeometryBuffer::ActivateAlbedo(const vtkIndirectProgram& program
   {
     this->Target->Activate(Albedo, program);
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectGeometryBuffer::ActivateReceivers(
+  const vtkIndirectProgram& program, const vtkIndirectFrame& frame) const
+{
+  vtkIndirectSetEyeUniforms(program, frame);
+  this->Target->Activate(Surface, program);
 }

@@ -70,6 +70,8 @@ public:
     return this->HasAlbedoInLit() ? "#define VTKI_ALBEDO_IN_ALPHA\n" : "";
   }
   void ActivateAlbedo(const vtkIndirectProgram& program) const;
+  /** Sets the eye's uniforms and binds the surfaces, for programs that compute light on them. */
+  void ActivateReceivers(const vtkIndirectProgram& program, const vtkIndirectFrame& frame) const;
   /** True if the buffer may hold encoded colours. */
   bool HasEncoded() const { return this->Encoded; }
   /** True if the last frame has the channel Specular. */

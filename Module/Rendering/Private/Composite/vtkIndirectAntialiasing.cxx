@@ -182,29 +182,22 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
 {
   vtkOpenGLState* state = frame.Window->GetState();
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkIndirectProgram program = this->FindContrasts.Use(frame.Window, this->Definitions);
-  if (!program)
-  {
-    return false;
-  }
-  this->Contrasts.Begin();
-  this->Picture->Activate(0, program);
-  program->SetUniform2i("vtkiSize", frame.Size);
-  this->FindContrasts.Draw();
-  this->Contrasts.End();
-  program = this->FindContrastTiles.Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Tiles.Begin();
-  this->Contrasts.Activate(0, program);
-  program->SetUniform2i("vtkiSize", frame.Size);
-  program->SetUniformi("vtkiTile", Tile);
-  this->FindContrastTiles.Draw();
-  this->Tiles.End();
-  program = this->KeepOutlines.Use(frame.Window, "");
-  if (!program)
+  this->FindContrasts.SetDefinitions(this->Definitions);
+  const bool found = this->FindContrasts.Run(frame.Window, this->Contrasts,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Picture->Activate(0, program);
+      program->SetUniform2i("vtkiSize", frame.Size);
+    });
+  const bool divided = this->FindContrastTiles.Run(frame.Window, this->Tiles,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Contrasts.Activate(0, program);
+      program->SetUniform2i("vtkiSize", frame.Size);
+      program->SetUniformi("vtkiTile", Tile);
+    });
+  const vtkIndirectProgram program = this->KeepOutlines.Use(frame.Window, "");
+  if (!found || !divided || !program)
   {
     return false;
   }
@@ -226,29 +219,21 @@ bool vtkIndirectAntialiasing::Internals::FindOutlines(
 bool vtkIndirectAntialiasing::Internals::FindEdgeWords(const vtkIndirectFrame& frame)
 {
   vtkIndirectFullScreenState kernelState(frame.Window);
-  vtkIndirectProgram program = this->FindEdges.Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Edges.Begin();
-  this->Contrasts.Activate(0, program);
-  program->SetUniform2i("vtkiSize", frame.Size);
-  program->SetUniformi("vtkiRows", this->Rows);
-  this->FindEdges.Draw();
-  this->Edges.End();
-  program = this->FindTiles.Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Tiles.Begin();
-  this->Edges.Activate(0, program);
-  program->SetUniformi("vtkiRows", this->Rows);
-  program->SetUniformi("vtkiTile", Tile);
-  this->FindTiles.Draw();
-  this->Tiles.End();
-  return true;
+  const bool found = this->FindEdges.Run(frame.Window, this->Edges,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Contrasts.Activate(0, program);
+      program->SetUniform2i("vtkiSize", frame.Size);
+      program->SetUniformi("vtkiRows", this->Rows);
+    });
+  return found &&
+    this->FindTiles.Run(frame.Window, this->Tiles,
+      [&](const vtkIndirectProgram& program)
+      {
+        this->Edges.Activate(0, program);
+        program->SetUniformi("vtkiRows", this->Rows);
+        program->SetUniformi("vtkiTile", Tile);
+      });
 }
 
 //------------------------------------------------------------------------------

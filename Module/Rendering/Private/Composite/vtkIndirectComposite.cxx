@@ -139,7 +139,6 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
       input.SkyBounce->Activate(input.SkyBounceChannel, program, "vtkiSkyBounce");
     }
     vtkIndirectSetEyeUniforms(program, input.Frame);
-    program->SetUniform2i("vtkiSize", input.Frame.Size);
     const bool adds = estimate || input.Sky || input.Area;
     program->SetUniformf(
       "vtkiIndirectScale", adds ? static_cast<float>(input.IndirectScale) : 0.0f);

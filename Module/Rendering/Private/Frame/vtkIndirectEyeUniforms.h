@@ -7,12 +7,13 @@
 
 #include "Frame/vtkIndirectFrame.h"
 
-/** Sets the rays of the eye and the transform to scene units. */
+/** Sets the rays of the eye, the transform to scene units and the size of the frame in pixels. */
 inline void vtkIndirectSetEyeUniforms(vtkShaderProgram* program, const vtkIndirectFrame& frame)
 {
   vtkIndirectSetUniform(program, "vtkiRayOrigin", glm::mat3(frame.RayOrigin));
   vtkIndirectSetUniform(program, "vtkiRayDirection", glm::mat3(frame.RayDirection));
   vtkIndirectSetUniform(program, "vtkiViewToScene", glm::mat4(frame.ViewToScene));
+  program->SetUniform2i("vtkiSize", frame.Size);
 }
 
 #endif

@@ -204,12 +204,10 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
         vtkIndirectAreaSamples::DistancesOfStill },
       target);
   }
-  vtkOpenGLState* state = frame.Window->GetState();
   bool done = true;
   target.Begin();
   target.Clear();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  const vtkIndirectAddition addition(frame.Window);
   for (const auto& lamp : this->Lamps.Get())
   {
     vtkIndirectProgram program = this->Kernel.Use(frame.Window);
@@ -223,7 +221,6 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
     this->Kernel.Draw();
   }
-  state->vtkglDisable(GL_BLEND);
   target.End();
   return done;
 }

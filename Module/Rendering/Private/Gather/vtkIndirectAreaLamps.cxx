@@ -183,7 +183,6 @@ void vtkIndirectAreaLamps::SetUniforms(const vtkIndirectProgram& program,
   const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp)
 {
   vtkIndirectSetEyeUniforms(program, frame);
-  program->SetUniform2i("vtkiSize", frame.Size);
   vtkIndirectSetUniform(program, "vtkiAreaCorner", glm::vec3(lamp.Corner));
   vtkIndirectSetUniform(program, "vtkiAreaEdge1", glm::vec3(lamp.Edge1));
   vtkIndirectSetUniform(program, "vtkiAreaEdge2", glm::vec3(lamp.Edge2));

@@ -4,7 +4,6 @@
 #include "Gather/vtkIndirectAreaLobes.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Gather/vtkIndirectAreaMaps.h"
 #include "LightMaps/vtkIndirectLobeTable.h"
@@ -156,18 +155,15 @@ bool vtkIndirectAreaLobes::Sum(const Input& input)
   {
     return false;
   }
-  vtkOpenGLState* state = frame.Window->GetState();
   this->Reflected.Begin();
   this->Reflected.Clear();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  const vtkIndirectAddition addition(frame.Window);
   const vtkIndirectAreaLamps::List& lamps = input.Lamps.Get();
   bool done = true;
   for (size_t i = 0; done && i < lamps.size(); ++i)
   {
     done = this->AddLamp(input, i);
   }
-  state->vtkglDisable(GL_BLEND);
   this->Reflected.End();
   return done;
 }

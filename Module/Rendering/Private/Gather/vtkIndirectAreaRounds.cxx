@@ -4,7 +4,6 @@
 #include "Gather/vtkIndirectAreaRounds.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 
@@ -43,10 +42,8 @@ bool vtkIndirectAreaRounds::Resize(const vtkIndirectFrame& frame)
 bool vtkIndirectAreaRounds::Add(const Input& input, const vtkIndirectAreaMaps& maps)
 {
   const vtkIndirectFrame& frame = input.Frame;
-  vtkOpenGLState* state = frame.Window->GetState();
   this->Sums.Begin();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  const vtkIndirectAddition addition(frame.Window);
   bool done = true;
   for (size_t i = 0; done && i < input.Lamps.Get().size(); ++i)
   {
@@ -55,17 +52,14 @@ bool vtkIndirectAreaRounds::Add(const Input& input, const vtkIndirectAreaMaps& m
     if (done)
     {
       this->Block.Update(frame.Window, input.Lamps, i, 1, &maps);
-      vtkIndirectSetEyeUniforms(program, frame);
-      program->SetUniform2i("vtkiSize", frame.Size);
+      input.Geometry.ActivateReceivers(program, frame);
       program->SetUniformi("vtkiAreaCount", 1);
       program->SetUniformi("vtkiAreaPoints", static_cast<int>(maps.GetPoints(i).size()));
       this->Block.Activate(program);
-      input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
       maps.GetAtlas().Activate(program);
       this->ShareKernel.Draw();
     }
   }
-  state->vtkglDisable(GL_BLEND);
   this->Sums.End();
   return done;
 }
@@ -99,15 +93,11 @@ bool vtkIndirectAreaRounds::Continue(const Input& input)
 //------------------------------------------------------------------------------
 bool vtkIndirectAreaRounds::Multiply(const vtkIndirectFrame& frame, vtkIndirectTarget& irradiance)
 {
-  irradiance.Begin();
-  vtkIndirectProgram program = this->ProductKernel.Use(frame.Window);
-  if (program)
-  {
-    this->Open.Activate(0, program);
-    this->Sums.Activate(0, program);
-    this->Sums.Activate(1, program);
-    this->ProductKernel.Draw();
-  }
-  irradiance.End();
-  return program != nullptr;
+  return this->ProductKernel.Run(frame.Window, irradiance,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Open.Activate(0, program);
+      this->Sums.Activate(0, program);
+      this->Sums.Activate(1, program);
+    });
 }

@@ -4,7 +4,6 @@
 #include "Gather/vtkIndirectAreaSamples.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Gather/vtkIndirectAreaMaps.h"
 #include "OpenGL/vtkIndirectUniforms.h"
@@ -55,11 +54,9 @@ vtkIndirectProgram vtkIndirectAreaSamples::Use(
   {
     return nullptr;
   }
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
+  input.Geometry.ActivateReceivers(program, input.Frame);
   program->SetUniformi("vtkiAreaCount", static_cast<int>(batch.Count));
   this->Block.Activate(program);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
   if (input.Maps)
   {
     input.Maps->GetAtlas().Activate(program);
@@ -108,15 +105,8 @@ bool vtkIndirectAreaSamples::Interpolate(
   if (program)
   {
     this->Samples.ActivateAll(program);
-    vtkOpenGLState* state = input.Frame.Window->GetState();
-    // The first batch writes, the others add.
-    state->vtkglBlendFunc(GL_ONE, GL_ONE);
-    if (batch.First > 0)
-    {
-      state->vtkglEnable(GL_BLEND);
-    }
+    const vtkIndirectAddition addition(input.Frame.Window, batch.First > 0);
     this->SumKernel.Draw();
-    state->vtkglDisable(GL_BLEND);
   }
   irradiance.End();
   return program != nullptr;

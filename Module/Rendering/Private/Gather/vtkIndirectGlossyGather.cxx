@@ -4,14 +4,12 @@
 #include "Gather/vtkIndirectGlossyGather.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-
-#include <algorithm>
 
 namespace
 {
@@ -32,53 +30,21 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimateInput& input, vtkIndi
     ? visibility.GetMaximumNumberOfSegments() / vtkIndirectSampler::RowLength
     : RowsPerDraw;
   const int rows = input.Lights ? input.Lights->GetNumberOfRows() : 1;
-  vtkIndirectProgram program = kernel.Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  vtkIndirectSetEyeUniforms(program, frame);
-  program->SetUniform2i("vtkiSize", frame.Size);
-  program->SetUniformf("vtkiStorageScale", static_cast<float>(1.0 / unit));
-  const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
-  geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
-  geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
-  visibility.Activate(frame.Window, program);
-  if (input.Lights)
-  {
-    input.Lights->Activate(program);
-  }
-  else
-  {
-    input.Maps.Activate(program);
-    program->SetUniformi("vtkiSampleCount", neighborhood.NumberOfSamples);
-    program->SetUniformf("vtkiRadius", static_cast<float>(neighborhood.Radius));
-    program->SetUniformi("vtkiLayerCount", input.Maps.GetNumberOfLayers());
-  }
-  glossy.Begin();
-  if (rows > rowsPerDraw)
-  {
-    glossy.Clear();
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  }
-  for (int row = 0; row < rows; row += rowsPerDraw)
-  {
-    if (input.Lights)
+  return kernel.RunRows(frame.Window, glossy, rows, rowsPerDraw,
+    [&](const vtkIndirectProgram& program)
     {
-      const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
-      program->SetUniform2i("vtkiLightRows", block);
-    }
-    kernel.Draw();
-    if (rows > rowsPerDraw)
-    {
-      glFlush();
-    }
-  }
-  state->vtkglDisable(GL_BLEND);
-  glossy.End();
-  return true;
+      input.Geometry.ActivateReceivers(program, frame);
+      program->SetUniformf("vtkiStorageScale", static_cast<float>(1.0 / unit));
+      input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Specular, program);
+      visibility.Activate(frame.Window, program);
+      if (input.Lights)
+      {
+        input.Lights->Activate(program);
+        return;
+      }
+      input.Maps.Activate(program);
+      program->SetUniformi("vtkiSampleCount", neighborhood.NumberOfSamples);
+      program->SetUniformf("vtkiRadius", static_cast<float>(neighborhood.Radius));
+      program->SetUniformi("vtkiLayerCount", input.Maps.GetNumberOfLayers());
+    });
 }

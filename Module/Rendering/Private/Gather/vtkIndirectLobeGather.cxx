@@ -4,13 +4,12 @@
 #include "Gather/vtkIndirectLobeGather.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-
-#include <algorithm>
 
 namespace
 {
@@ -113,15 +112,12 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
   }
   vtkOpenGLState* state = frame.Window->GetState();
   const bool interpolates = &target != &this->Coarse && step > 1;
-  vtkIndirectSetEyeUniforms(program, frame);
-  program->SetUniform2i("vtkiSize", frame.Size);
+  input.Geometry.ActivateReceivers(program, frame);
   program->SetUniformf("vtkiStorageScale", static_cast<float>(1.0 / unit));
   this->Coarse.SetUniforms(program);
-  const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
-  geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
   if (&kernel == &this->InGlossy)
   {
-    geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
+    input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Specular, program);
   }
   input.Visibility.Activate(frame.Window, program);
   lights.Activate(program);
@@ -137,17 +133,7 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
   // The alpha of an image is one; that of samples is a sum.
   const GLenum alpha = &target == &this->Coarse ? GL_ONE : GL_ZERO;
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, alpha, GL_ONE);
-  const int rows = lights.GetNumberOfRows();
-  for (int row = 0; row < rows; row += rowsPerDraw)
-  {
-    const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
-    program->SetUniform2i("vtkiLightRows", block);
-    kernel.Draw();
-    if (rows > rowsPerDraw)
-    {
-      glFlush();
-    }
-  }
+  kernel.DrawRows(program, lights.GetNumberOfRows(), rowsPerDraw);
   state->vtkglDisable(GL_BLEND);
   target.End();
   return true;

@@ -29,8 +29,7 @@ public:
   /**
    * Adds the lobes of the frame's lights, if these have any. step: pixels between samples, 1: no
    * pixel is interpolated; tolerance: error of interpolation, over the light of the pixel. Must be
-   * called within a vtkIndirectFullScreenState, and a scope of the blending's function. Returns
-   * false, after an error, when OpenGL refuses.
+   * called within a vtkIndirectFullScreenState. Returns false, after an error, when OpenGL refuses.
    */
   bool Add(const vtkIndirectEstimateInput& input, const Output& output, int step, double tolerance);
 

@@ -4,7 +4,6 @@
 #include "Gather/vtkIndirectSkyGather.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
@@ -328,9 +327,7 @@ std::string vtkIndirectSkyGather::GetDefinitions(int block, int step) const
 void vtkIndirectSkyGather::Activate(
   const Input& input, const Group* group, const vtkIndirectProgram& program)
 {
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Geometry.ActivateReceivers(program, input.Frame);
   if (group && this->Visible)
   {
     group->Atlas.Activate(program);
@@ -405,18 +402,13 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
   this->RowKernel.SetDefinitions(
     "#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n");
-  vtkIndirectProgram program = this->RowKernel.Use(input.Frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Rows.Begin();
-  this->Activate(input, nullptr, program);
-  sums.Activate(0, program);
-  program->SetUniform2i("vtkiSkyPart", part);
-  this->RowKernel.Draw();
-  this->Rows.End();
-  return true;
+  return this->RowKernel.Run(input.Frame.Window, this->Rows,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Activate(input, nullptr, program);
+      sums.Activate(0, program);
+      program->SetUniform2i("vtkiSkyPart", part);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -427,29 +419,24 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
   kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
-  vtkIndirectProgram program = kernel.Use(input.Frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Irradiance.Begin();
-  this->Activate(input, group, program);
-  for (int i = 0; i < sums.GetNumberOfChannels(); ++i)
-  {
-    sums.Activate(i, program);
-  }
-  this->OpenSky.Activate(0, program);
-  vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
-  vtkIndirectSetUniform(program, "vtkiSummedFlux", this->SummedFlux);
-  program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
-  if (moving)
-  {
-    const Terms terms = this->MakeTerms(this->Summed, false);
-    this->SetBlock(input, program, *group, terms, 0, OwnBlock);
-  }
-  kernel.Draw();
-  this->Irradiance.End();
-  return true;
+  return kernel.Run(input.Frame.Window, this->Irradiance,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Activate(input, group, program);
+      for (int i = 0; i < sums.GetNumberOfChannels(); ++i)
+      {
+        sums.Activate(i, program);
+      }
+      this->OpenSky.Activate(0, program);
+      vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
+      vtkIndirectSetUniform(program, "vtkiSummedFlux", this->SummedFlux);
+      program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
+      if (moving)
+      {
+        const Terms terms = this->MakeTerms(this->Summed, false);
+        this->SetBlock(input, program, *group, terms, 0, OwnBlock);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -458,19 +445,14 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
   const Group& group = this->Groups[Strong];
   const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
   this->StrongKernel.SetDefinitions(this->GetDefinitions(SumBlock, 1) + "#define VTKI_FILTERED\n");
-  vtkIndirectProgram program = this->StrongKernel.Use(input.Frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Irradiance.Begin();
-  input.Frame.Window->GetState()->vtkglEnable(GL_BLEND);
-  this->Activate(input, &group, program);
-  // There are at most 32 strong directions.
-  this->SetBlock(input, program, group, terms, 0, SumBlock);
-  this->StrongKernel.Draw();
-  this->Irradiance.End();
-  return true;
+  return this->StrongKernel.Run(input.Frame.Window, this->Irradiance,
+    [&](const vtkIndirectProgram& program)
+    {
+      input.Frame.Window->GetState()->vtkglEnable(GL_BLEND);
+      this->Activate(input, &group, program);
+      // There are at most 32 strong directions.
+      this->SetBlock(input, program, group, terms, 0, SumBlock);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -116,27 +116,27 @@ bool vtkIndirectGlossySubsplats::FillLobes(const Work& work)
     const bool pixels = number == 1;
     vtkIndirectFullScreenProgram& kernel = pixels ? this->LobeOfPixels : this->Lobe;
     vtkIndirectTarget& target = *this->Lobes[number - 1];
-    vtkIndirectProgram program = kernel.Use(frame.Window);
-    if (!program)
+    const vtkIndirectTarget& finer = pixels ? geometry : *this->Lobes[number - 2];
+    const int size[2] = { finer.GetWidth(), finer.GetHeight() };
+    const bool drawn = kernel.Run(frame.Window, target,
+      [&](const vtkIndirectProgram& program)
+      {
+        program->SetUniform2i("vtkiFinerSize", size);
+        work.Pyramid.GetSurface(number).Activate(0, program);
+        if (pixels)
+        {
+          geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
+          geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
+        }
+        else
+        {
+          finer.Activate(0, program, "vtkiFinerLobe");
+        }
+      });
+    if (!drawn)
     {
       return false;
     }
-    const vtkIndirectTarget& finer = pixels ? geometry : *this->Lobes[number - 2];
-    const int size[2] = { finer.GetWidth(), finer.GetHeight() };
-    target.Begin();
-    program->SetUniform2i("vtkiFinerSize", size);
-    work.Pyramid.GetSurface(number).Activate(0, program);
-    if (pixels)
-    {
-      geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
-      geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
-    }
-    else
-    {
-      finer.Activate(0, program, "vtkiFinerLobe");
-    }
-    kernel.Draw();
-    target.End();
   }
   return true;
 }
@@ -176,7 +176,6 @@ void vtkIndirectGlossySubsplats::SetLevelUniforms(
     size[1] = this->Levels[number - 1]->GetHeight();
   }
   vtkIndirectSetEyeUniforms(program, work.In.Frame);
-  program->SetUniform2i("vtkiSize", work.In.Frame.Size);
   program->SetUniform2i("vtkiLevelSize", size);
   program->SetUniform2i("vtkiCoarserSize", coarserSize);
   program->SetUniformf("vtkiEdge", vtkIndirectSubsplatPyramid::EdgeOf(number));
@@ -214,18 +213,13 @@ bool vtkIndirectGlossySubsplats::Interpolate(
 {
   this->UpsamplePixels.SetDefinitions("#define VTKI_PIXELS\n");
   vtkIndirectFullScreenProgram& kernel = number == 0 ? this->UpsamplePixels : this->Upsample;
-  vtkIndirectProgram program = kernel.Use(work.In.Frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  target.Begin();
-  this->SetLevelUniforms(program, work, number);
-  this->ActivateLevel(program, work, number);
-  this->Levels[number]->Activate(0, program);
-  kernel.Draw();
-  target.End();
-  return true;
+  return kernel.Run(work.In.Frame.Window, target,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->SetLevelUniforms(program, work, number);
+      this->ActivateLevel(program, work, number);
+      this->Levels[number]->Activate(0, program);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -286,8 +280,6 @@ bool vtkIndirectGlossySubsplats::Fill(const Input& input, const Settings& settin
 {
   const Work work = { input, settings, pyramid, lights, irradiance };
   bool done = this->FillLobes(work) && this->ListFirst(work);
-  vtkOpenGLState* state = input.Frame.Window->GetState();
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
   this->Levels.back()->Begin();
   this->Levels.back()->Clear();
   this->Levels.back()->End();

@@ -106,7 +106,6 @@ void vtkIndirectSubsplatIllumination::SetUniforms(
   const Settings& settings = work.Set;
   const int size[2] = { work.Target.GetWidth(), work.Target.GetHeight() };
   vtkIndirectSetEyeUniforms(program, work.In.Frame);
-  program->SetUniform2i("vtkiSize", work.In.Frame.Size);
   program->SetUniform2i("vtkiLevelSize", size);
   program->SetUniformf("vtkiEdge", vtkIndirectSubsplatPyramid::EdgeOf(work.Number));
   program->SetUniformf("vtkiStorageScale", static_cast<float>(settings.StorageScale));

@@ -98,32 +98,30 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
   {
     vtkIndirectFullScreenProgram& kernel = probe ? this->ProbeLights : this->MeasureVariation;
     vtkIndirectTarget& target = probe ? *this->Probe : *this->Variation;
-    vtkIndirectProgram program = kernel.Use(frame.Window);
-    if (!program)
+    const bool drawn = kernel.Run(frame.Window, target,
+      [&](const vtkIndirectProgram& program)
+      {
+        input.Geometry.ActivateReceivers(program, frame);
+        program->SetUniform2i("vtkiLevelSize", size);
+        program->SetUniformf("vtkiEdge", EdgeOf(this->Levels.size()));
+        program->SetUniformf("vtkiStorageScale", static_cast<float>(settings.StorageScale));
+        program->SetUniformf("vtkiSamePlane", static_cast<float>(settings.PlaneThreshold));
+        program->SetUniformf("vtkiSameNormal", static_cast<float>(settings.NormalThreshold));
+        if (probe)
+        {
+          lights.Activate(program);
+          input.Visibility.Activate(frame.Window, program);
+        }
+        else
+        {
+          this->Probe->Activate(0, program);
+          this->Probe->Activate(2, program);
+        }
+      });
+    if (!drawn)
     {
       return false;
     }
-    target.Begin();
-    vtkIndirectSetEyeUniforms(program, frame);
-    program->SetUniform2i("vtkiSize", frame.Size);
-    program->SetUniform2i("vtkiLevelSize", size);
-    program->SetUniformf("vtkiEdge", EdgeOf(this->Levels.size()));
-    program->SetUniformf("vtkiStorageScale", static_cast<float>(settings.StorageScale));
-    program->SetUniformf("vtkiSamePlane", static_cast<float>(settings.PlaneThreshold));
-    program->SetUniformf("vtkiSameNormal", static_cast<float>(settings.NormalThreshold));
-    input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-    if (probe)
-    {
-      lights.Activate(program);
-      input.Visibility.Activate(frame.Window, program);
-    }
-    else
-    {
-      this->Probe->Activate(0, program);
-      this->Probe->Activate(2, program);
-    }
-    kernel.Draw();
-    target.End();
   }
   return true;
 }
@@ -136,55 +134,47 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
   const bool first = number == 1;
   vtkIndirectFullScreenProgram& kernel = first ? this->BuildFinest : this->BuildCoarser;
   vtkIndirectTarget& level = *this->Levels[number - 1];
-  vtkIndirectProgram program = kernel.Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  const bool last = number == this->Levels.size();
-  const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
-  level.Begin();
-  vtkIndirectSetEyeUniforms(program, frame);
-  program->SetUniform2i("vtkiSize", frame.Size);
-  program->SetUniformf("vtkiEdge", EdgeOf(number));
-  program->SetUniformi("vtkiSplits", !first || !settings.HalfResolution);
-  program->SetUniformi("vtkiLast", last);
-  program->SetUniformf("vtkiPlaneThreshold", static_cast<float>(settings.PlaneThreshold));
-  program->SetUniformf("vtkiDepthThreshold", static_cast<float>(settings.DepthThreshold));
-  program->SetUniformf("vtkiNormalThreshold", static_cast<float>(settings.NormalThreshold));
-  if (settings.HasCompute)
-  {
-    this->Lists.Activate(program, number - 1);
-  }
-  if (settings.LightingThreshold > 0.0)
-  {
-    // The error of interpolation goes with the square of the width.
-    const double widths = std::exp2(static_cast<double>(this->Levels.size() - number));
-    program->SetUniformf(
-      "vtkiVariationThreshold", static_cast<float>(settings.LightingThreshold * widths * widths));
-    program->SetUniformf("vtkiLightingThreshold", static_cast<float>(settings.LightingThreshold));
-    this->Variation->Activate(0, program);
-    this->Probe->Activate(1, program);
-  }
-  if (first)
-  {
-    geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
-    kernel.Draw();
-  }
-  else
-  {
-    const vtkIndirectTarget& finer = *this->Levels[number - 2];
-    const int size[2] = { finer.GetWidth(), finer.GetHeight() };
-    program->SetUniform2i("vtkiFinerSize", size);
-    finer.Activate(0, program, "vtkiFinerSurface");
-    for (int channel = 1; channel < (this->DepthRange ? 3 : 2); ++channel)
+  return kernel.Run(frame.Window, level,
+    [&](const vtkIndirectProgram& program)
     {
-      finer.Activate(channel, program);
-    }
-    kernel.Draw();
-  }
-  level.End();
-  return true;
+      vtkIndirectSetEyeUniforms(program, frame);
+      program->SetUniformf("vtkiEdge", EdgeOf(number));
+      program->SetUniformi("vtkiSplits", !first || !settings.HalfResolution);
+      program->SetUniformi("vtkiLast", number == this->Levels.size());
+      program->SetUniformf("vtkiPlaneThreshold", static_cast<float>(settings.PlaneThreshold));
+      program->SetUniformf("vtkiDepthThreshold", static_cast<float>(settings.DepthThreshold));
+      program->SetUniformf("vtkiNormalThreshold", static_cast<float>(settings.NormalThreshold));
+      if (settings.HasCompute)
+      {
+        this->Lists.Activate(program, number - 1);
+      }
+      if (settings.LightingThreshold > 0.0)
+      {
+        // The error of interpolation goes with the square of the width.
+        const double widths = std::exp2(static_cast<double>(this->Levels.size() - number));
+        program->SetUniformf("vtkiVariationThreshold",
+          static_cast<float>(settings.LightingThreshold * widths * widths));
+        program->SetUniformf(
+          "vtkiLightingThreshold", static_cast<float>(settings.LightingThreshold));
+        this->Variation->Activate(0, program);
+        this->Probe->Activate(1, program);
+      }
+      if (first)
+      {
+        input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+      }
+      else
+      {
+        const vtkIndirectTarget& finer = *this->Levels[number - 2];
+        const int size[2] = { finer.GetWidth(), finer.GetHeight() };
+        program->SetUniform2i("vtkiFinerSize", size);
+        finer.Activate(0, program, "vtkiFinerSurface");
+        for (int channel = 1; channel < (this->DepthRange ? 3 : 2); ++channel)
+        {
+          finer.Activate(channel, program);
+        }
+      }
+    });
 }
 
 //------------------------------------------------------------------------------

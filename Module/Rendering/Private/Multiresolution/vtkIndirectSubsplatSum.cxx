@@ -252,18 +252,18 @@ bool vtkIndirectSubsplatSum::FillInBatches(
     {
       continue;
     }
-    vtkIndirectProgram program = this->AddBatch.Use(window);
-    if (!program)
+    const bool added = this->AddBatch.Run(window, *this->Irradiance,
+      [&](const vtkIndirectProgram& program)
+      {
+        this->Batch->Activate(0, program);
+        state->vtkglEnable(GL_BLEND);
+        state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
+      });
+    state->vtkglDisable(GL_BLEND);
+    if (!added)
     {
       return false;
     }
-    this->Irradiance->Begin();
-    this->Batch->Activate(0, program);
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ZERO, GL_ONE);
-    this->AddBatch.Draw();
-    state->vtkglDisable(GL_BLEND);
-    this->Irradiance->End();
   }
   // The lists for specular receivers are found from all lights.
   this->Lights.Update(window, *input.Lights);

@@ -6,10 +6,10 @@
 #include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectFlatUniforms.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
+#include "OpenGL/vtkIndirectTarget.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkOpenGLQuadHelper.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 
@@ -96,6 +96,56 @@ vtkIndirectProgram vtkIndirectFullScreenProgram::Use(
 void vtkIndirectFullScreenProgram::Draw()
 {
   this->Quad->Render();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectFullScreenProgram::Run(vtkOpenGLRenderWindow* window, vtkIndirectTarget& target,
+  const std::function<void(const vtkIndirectProgram&)>& set)
+{
+  const vtkIndirectProgram program = this->Use(window);
+  if (program)
+  {
+    target.Begin();
+    set(program);
+    this->Draw();
+    target.End();
+  }
+  return program != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectFullScreenProgram::RunRows(vtkOpenGLRenderWindow* window, vtkIndirectTarget& target,
+  int rows, int most, const std::function<void(const vtkIndirectProgram&)>& set)
+{
+  const vtkIndirectProgram program = this->Use(window);
+  if (program)
+  {
+    target.Begin();
+    if (rows > most)
+    {
+      target.Clear();
+    }
+    const vtkIndirectAddition addition(window, rows > most);
+    set(program);
+    this->DrawRows(program, rows, most);
+    target.End();
+  }
+  return program != nullptr;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectFullScreenProgram::DrawRows(const vtkIndirectProgram& program, int rows, int most)
+{
+  for (int row = 0; row < rows; row += most)
+  {
+    const int block[2] = { row, std::min(row + most, rows) };
+    program->SetUniform2i("vtkiLightRows", block);
+    this->Draw();
+    if (rows > most)
+    {
+      glFlush();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,9 +6,11 @@
 #include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 
-#include <memory> // for the quad
-#include <string> // for names
+#include <functional> // for the setting of uniforms
+#include <memory>     // for the quad
+#include <string>     // for names
 
+class vtkIndirectTarget;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 
@@ -37,6 +39,23 @@ public:
 
   /** Runs the program over the current viewport. */
   void Draw();
+
+  /**
+   * Draws over a target: uses the program, calls `set`, which sets the uniforms, and runs the
+   * program. Returns false if the program does not compile.
+   */
+  bool Run(vtkOpenGLRenderWindow* window, vtkIndirectTarget& target,
+    const std::function<void(const vtkIndirectProgram&)>& set);
+
+  /**
+   * Does the same for a table of lights, of which each draw takes at most `most` rows: the target
+   * has the sum of all draws. Within a vtkIndirectFullScreenState.
+   */
+  bool RunRows(vtkOpenGLRenderWindow* window, vtkIndirectTarget& target, int rows, int most,
+    const std::function<void(const vtkIndirectProgram&)>& set);
+
+  /** Draws once for each block of rows, which the uniform vtkiLightRows tells. */
+  void DrawRows(const vtkIndirectProgram& program, int rows, int most);
 
 protected:
   void ReleaseOwn(vtkWindow* window) override;

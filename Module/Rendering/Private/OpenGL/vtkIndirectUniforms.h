@@ -67,4 +67,24 @@ private:
   vtkOpenGLState::ScopedglViewport Viewport;
 };
 
+/** Adds drawn values to the target during its lifetime, or replaces the target's values. */
+class vtkIndirectAddition
+{
+public:
+  explicit vtkIndirectAddition(vtkOpenGLRenderWindow* window, bool adds = true)
+    : Blend(window->GetState(), GL_BLEND)
+    , BlendFunc(window->GetState())
+  {
+    if (adds)
+    {
+      window->GetState()->vtkglEnable(GL_BLEND);
+      window->GetState()->vtkglBlendFunc(GL_ONE, GL_ONE);
+    }
+  }
+
+private:
+  vtkOpenGLState::ScopedglEnableDisable Blend;
+  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
+};
+
 #endif

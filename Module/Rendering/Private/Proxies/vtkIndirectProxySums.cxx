@@ -4,7 +4,6 @@
 #include "Proxies/vtkIndirectProxySums.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
@@ -94,30 +93,28 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
     kernel.SetDefinitions(i > 0    ? "#define VTKI_PROXY_MEANS\n"
         : this->Tables.HasGroups() ? "#define VTKI_PROXY_TREE\n"
                                    : "");
-    vtkIndirectProgram program = kernel.Use(window);
-    if (!program)
+    const bool drawn = kernel.Run(window, target,
+      [&](const vtkIndirectProgram& program)
+      {
+        ranges.Activate(0, program);
+        if (i == 0)
+        {
+          this->Activate(input, program);
+          return;
+        }
+        program->SetUniformi("vtkiSenderRow", entries.GetHeight());
+        program->SetUniformi("vtkiFirstMean", this->Tables.GetFirstPlace());
+        program->SetUniformi("vtkiProxyCount", this->Tables.GetNumberOfEntries());
+        entries.Activate(2, program);
+        for (int k = 0; k < 4; ++k)
+        {
+          this->SenderLight.Activate(k, program);
+        }
+      });
+    if (!drawn)
     {
       return false;
     }
-    target.Begin();
-    if (i == 0)
-    {
-      this->Activate(input, program);
-    }
-    ranges.Activate(0, program);
-    if (i == 1)
-    {
-      program->SetUniformi("vtkiSenderRow", this->Tables.GetEntries().GetHeight());
-      program->SetUniformi("vtkiFirstMean", this->Tables.GetFirstPlace());
-      program->SetUniformi("vtkiProxyCount", this->Tables.GetNumberOfEntries());
-      entries.Activate(2, program);
-      for (int k = 0; k < 4; ++k)
-      {
-        this->SenderLight.Activate(k, program);
-      }
-    }
-    kernel.Draw();
-    target.End();
   }
   this->SendersAreLit = true;
   return true;
@@ -126,9 +123,7 @@ bool vtkIndirectProxySums::LightSenders(const Input& input)
 //------------------------------------------------------------------------------
 void vtkIndirectProxySums::Activate(const Input& input, const vtkIndirectProgram& program) const
 {
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Geometry.ActivateReceivers(program, input.Frame);
   program->SetUniform2i("vtkiCoarseSize", this->CoarseSize);
   program->SetUniformi("vtkiStep", input.Step);
   if (program->IsUniformUsed("vtkiSentLight0"))
@@ -303,14 +298,11 @@ bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definiti
     return false;
   }
   vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
   vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
   state->vtkglDisable(GL_CULL_FACE);
   target.Begin();
   target.Clear();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
+  const vtkIndirectAddition addition(frame.Window);
   this->Activate(input, program);
   vtkIndirectSetUniform(program, "vtkiSceneToClip", frame.FindSceneToClip());
   vtkIndirectSetUniform(program, "vtkiProxyMargin",
@@ -324,7 +316,6 @@ bool vtkIndirectProxySums::Splat(const Input& input, const std::string& definiti
       std::min(EntriesPerDraw, this->Tables.GetNumberOfEntries() - first));
     glFlush();
   }
-  state->vtkglDisable(GL_BLEND);
   target.End();
   return true;
 }
@@ -340,21 +331,18 @@ bool vtkIndirectProxySums::SumBlended(
   }
   const bool coarse = input.Step > 1;
   vtkIndirectTarget& target = coarse ? this->Coarse : image;
-  vtkIndirectProgram program =
-    this->Resolving.Use(frame.Window, definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
-  if (!program)
-  {
-    return false;
-  }
-  target.Begin();
-  this->Activate(input, program);
-  for (int i = 0; i < this->Blended.GetNumberOfChannels(); ++i)
-  {
-    this->Blended.Activate(i, program);
-  }
-  this->Resolving.Draw();
-  target.End();
-  return !coarse || this->Upsample(input, definitions + "#define VTKI_PROXY_GATHER\n", image);
+  this->Resolving.SetDefinitions(definitions + (coarse ? "" : "#define VTKI_PROXY_PIXELS\n"));
+  const bool resolved = this->Resolving.Run(frame.Window, target,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Activate(input, program);
+      for (int i = 0; i < this->Blended.GetNumberOfChannels(); ++i)
+      {
+        this->Blended.Activate(i, program);
+      }
+    });
+  return resolved &&
+    (!coarse || this->Upsample(input, definitions + "#define VTKI_PROXY_GATHER\n", image));
 }
 
 //------------------------------------------------------------------------------

@@ -145,48 +145,43 @@ bool vtkIndirectHintFields::Inject(
   vtkIndirectFullScreenProgram& kernel = list ? this->DenseKernel : this->SampledKernel;
   kernel.SetDefinitions(GetDefinitions(this->Layout, settings.Visibility, grid.GetNumberOfGrids()) +
     (list ? input.Lights->GetDefinitions() : ""));
-  vtkIndirectProgram program = kernel.Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Fields[0]->Begin();
-  grid.Activate(frame.Window, program);
-  if (settings.Visibility)
-  {
-    grid.ActivateRays(frame.Window, program);
-    grid.ActivateSurfels(frame.Window, program);
-  }
-  if (list)
-  {
-    input.Lights->Activate(program);
-  }
-  else
-  {
-    input.Maps.Activate(program);
-    const int layers = input.Maps.GetNumberOfLayers();
-    program->SetUniformi("vtkiLayerCount", layers);
-    program->SetUniformi(
-      "vtkiSampleCount", std::max(1, (settings.NumberOfSamples + layers - 1) / layers));
-    program->SetUniformf("vtkiCoverage", static_cast<float>(settings.Coverage));
-  }
-  program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
-  program->SetUniformf(
-    "vtkiSoftening", settings.Softening ? static_cast<float>(SofteningShare) : 0.0f);
-  program->SetUniformi(
-    "vtkiDepthSamples", settings.DepthOcclusion ? settings.NumberOfDepthSamples : 0);
-  program->SetUniformf("vtkiDepthFactor", static_cast<float>(settings.DepthAttenuation));
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-  const glm::dmat4 sceneToView = glm::inverse(frame.ViewToScene);
-  const glm::dmat4 unscale(glm::dvec4(1.0 / frame.SceneScale, 0.0, 0.0, 0.0),
-    glm::dvec4(0.0, 1.0 / frame.SceneScale, 0.0, 0.0),
-    glm::dvec4(0.0, 0.0, 1.0 / frame.SceneScale, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0));
-  vtkIndirectSetUniform(program, "vtkiSceneToView", glm::mat4(sceneToView));
-  vtkIndirectSetUniform(
-    program, "vtkiSceneToClip", glm::mat4(frame.Projection * unscale * sceneToView));
-  kernel.Draw();
-  this->Fields[0]->End();
-  return true;
+  return kernel.Run(frame.Window, *this->Fields[0],
+    [&](const vtkIndirectProgram& program)
+    {
+      grid.Activate(frame.Window, program);
+      if (settings.Visibility)
+      {
+        grid.ActivateRays(frame.Window, program);
+        grid.ActivateSurfels(frame.Window, program);
+      }
+      if (list)
+      {
+        input.Lights->Activate(program);
+      }
+      else
+      {
+        input.Maps.Activate(program);
+        const int layers = input.Maps.GetNumberOfLayers();
+        program->SetUniformi("vtkiLayerCount", layers);
+        program->SetUniformi(
+          "vtkiSampleCount", std::max(1, (settings.NumberOfSamples + layers - 1) / layers));
+        program->SetUniformf("vtkiCoverage", static_cast<float>(settings.Coverage));
+      }
+      program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
+      program->SetUniformf(
+        "vtkiSoftening", settings.Softening ? static_cast<float>(SofteningShare) : 0.0f);
+      program->SetUniformi(
+        "vtkiDepthSamples", settings.DepthOcclusion ? settings.NumberOfDepthSamples : 0);
+      program->SetUniformf("vtkiDepthFactor", static_cast<float>(settings.DepthAttenuation));
+      input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+      const glm::dmat4 sceneToView = glm::inverse(frame.ViewToScene);
+      const glm::dmat4 unscale(glm::dvec4(1.0 / frame.SceneScale, 0.0, 0.0, 0.0),
+        glm::dvec4(0.0, 1.0 / frame.SceneScale, 0.0, 0.0),
+        glm::dvec4(0.0, 0.0, 1.0 / frame.SceneScale, 0.0), glm::dvec4(0.0, 0.0, 0.0, 1.0));
+      vtkIndirectSetUniform(program, "vtkiSceneToView", glm::mat4(sceneToView));
+      vtkIndirectSetUniform(
+        program, "vtkiSceneToClip", glm::mat4(frame.Projection * unscale * sceneToView));
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -199,18 +194,13 @@ bool vtkIndirectHintFields::Reflect(
   {
     return false;
   }
-  vtkIndirectProgram program = this->RadiosityKernel.Use(window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Radiosity.Begin();
-  this->ActivateLookup(input, settings, grid, program);
-  grid.ActivateSurfels(window, program);
-  program->SetUniform4f("vtkiMeanAlbedo", albedo);
-  this->RadiosityKernel.Draw();
-  this->Radiosity.End();
-  return true;
+  return this->RadiosityKernel.Run(window, this->Radiosity,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->ActivateLookup(input, settings, grid, program);
+      grid.ActivateSurfels(window, program);
+      program->SetUniform4f("vtkiMeanAlbedo", albedo);
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -230,55 +220,43 @@ bool vtkIndirectHintFields::Bounce(
   // L^k = L^1 + T L^(k-1)
   const int next = settings.FromHints && this->Current == 1 ? 2 : 1;
   this->CopyKernel.SetDefinitions(GetDefinitions(this->Layout, false, grid.GetNumberOfGrids()));
-  vtkIndirectProgram program = this->CopyKernel.Use(window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Fields[next]->Begin();
-  this->ActivateField(0, program);
-  this->CopyKernel.Draw();
+  const bool copied = this->CopyKernel.Run(window, *this->Fields[next],
+    [&](const vtkIndirectProgram& program) { this->ActivateField(0, program); });
 
   vtkIndirectFullScreenProgram& kernel =
     settings.FromHints ? this->ExchangeKernel : this->SurfacesKernel;
   kernel.SetDefinitions(GetDefinitions(
     this->Layout, settings.FromHints && settings.Visibility, grid.GetNumberOfGrids()));
-  program = kernel.Use(window);
-  if (!program)
-  {
-    this->Fields[next]->End();
-    return false;
-  }
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  grid.Activate(window, program);
-  if (settings.FromHints)
-  {
-    this->ActivateField(this->Current, program);
-    if (settings.AlbedoVolume)
-    {
-      grid.ActivateAlbedo(window, program);
-    }
-    if (settings.Visibility)
-    {
-      volume.Activate(window, program);
-    }
-    program->SetUniform4f("vtkiMeanAlbedo", albedo);
-    program->SetUniformi("vtkiSampleCount", settings.NumberOfBounceSamples);
-    program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
-    program->SetUniformi("vtkiLobes", settings.Deringing ? 1 : 0);
-  }
-  else
-  {
-    grid.ActivateRays(window, program);
-    this->Radiosity.Activate(0, program);
-  }
-  kernel.Draw();
-  state->vtkglDisable(GL_BLEND);
-  this->Fields[next]->End();
-  this->Current = next;
-  return true;
+  const vtkIndirectAddition addition(window);
+  const bool bounced = copied &&
+    kernel.Run(window, *this->Fields[next],
+      [&](const vtkIndirectProgram& program)
+      {
+        grid.Activate(window, program);
+        if (settings.FromHints)
+        {
+          this->ActivateField(this->Current, program);
+          if (settings.AlbedoVolume)
+          {
+            grid.ActivateAlbedo(window, program);
+          }
+          if (settings.Visibility)
+          {
+            volume.Activate(window, program);
+          }
+          program->SetUniform4f("vtkiMeanAlbedo", albedo);
+          program->SetUniformi("vtkiSampleCount", settings.NumberOfBounceSamples);
+          program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
+          program->SetUniformi("vtkiLobes", settings.Deringing ? 1 : 0);
+        }
+        else
+        {
+          grid.ActivateRays(window, program);
+          this->Radiosity.Activate(0, program);
+        }
+      });
+  this->Current = bounced ? next : this->Current;
+  return bounced;
 }
 
 //------------------------------------------------------------------------------

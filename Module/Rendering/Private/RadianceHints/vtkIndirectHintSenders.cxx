@@ -57,21 +57,19 @@ bool vtkIndirectHintSenders::Update(const Input& input)
     return false;
   }
   vtkIndirectTarget& table = this->BeginChange();
-  vtkIndirectProgram program = count > 0 ? this->Program.Use(window) : nullptr;
-  if (count > 0 && !program)
+  vtkIndirectFullScreenState fullScreen(window);
+  const bool drawn = count == 0 ||
+    this->Program.Run(window, table,
+      [&](const vtkIndirectProgram& program)
+      {
+        maps.Activate(program);
+        program->SetUniformi("vtkiBlocks", this->BlocksPerEdge);
+        program->SetUniformi("vtkiReads", ReadsPerBlockEdge);
+        program->SetUniformi("vtkiLightCount", count);
+      });
+  if (!drawn)
   {
     return false;
-  }
-  if (program)
-  {
-    vtkIndirectFullScreenState fullScreen(window);
-    table.Begin();
-    maps.Activate(program);
-    program->SetUniformi("vtkiBlocks", this->BlocksPerEdge);
-    program->SetUniformi("vtkiReads", ReadsPerBlockEdge);
-    program->SetUniformi("vtkiLightCount", count);
-    this->Program.Draw();
-    table.End();
   }
   this->MapTime = maps.GetContentTime();
   this->Blocks = this->BlocksPerEdge;

@@ -4,11 +4,11 @@
 #include "RadianceHints/vtkIndirectHintSum.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
 #include "LightMaps/vtkIndirectLightMaps.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "RadianceHints/vtkIndirectHintRegions.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
@@ -92,9 +92,7 @@ std::string vtkIndirectHintSum::GetLookupDefinitions(int step) const
 // Binds receivers and hints.
 void vtkIndirectHintSum::ActivateLookup(const vtkIndirectProgram& program, const Input& input)
 {
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Geometry.ActivateReceivers(program, input.Frame);
   this->Fields.ActivateLookup(input, this->FieldSettings, this->Grid, program);
 }
 
@@ -107,12 +105,6 @@ double vtkIndirectHintSum::FindErrorTolerance(double asked) const
     return 0.0;
   }
   return asked > 0.0 ? std::clamp(asked, 0.002, 1.0) : 0.05;
-}
-
-//------------------------------------------------------------------------------
-size_t vtkIndirectHintSum::GetMainMemoryBytes() const
-{
-  return this->Grid.GetMainMemoryBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -270,23 +262,22 @@ bool vtkIndirectHintSum::LookUp(const Input& input)
   this->Converged = !mix;
   const std::string definitions = this->GetLookupDefinitions(step);
   this->LookUpKernel.SetDefinitions(definitions + (mix ? "#define VTKI_KEEP\n" : ""));
-  vtkIndirectProgram program = this->LookUpKernel.Use(frame.Window);
-  if (!program)
+  timer.Begin(vtkIndirectStageTimer::Estimate);
+  const bool drawn = this->LookUpKernel.Run(frame.Window, this->Coarse[next],
+    [&](const vtkIndirectProgram& program)
+    {
+      this->ActivateLookup(program, input);
+      if (mix)
+      {
+        program->SetUniformf("vtkiKeep", static_cast<float>(this->Set.Settings.TemporalSmoothing));
+        this->Coarse[this->CoarseNow].Activate(0, program, "vtkiLast");
+      }
+    });
+  timer.End(vtkIndirectStageTimer::Estimate);
+  if (!drawn)
   {
     return false;
   }
-
-  timer.Begin(vtkIndirectStageTimer::Estimate);
-  this->Coarse[next].Begin();
-  this->ActivateLookup(program, input);
-  if (mix)
-  {
-    program->SetUniformf("vtkiKeep", static_cast<float>(this->Set.Settings.TemporalSmoothing));
-    this->Coarse[this->CoarseNow].Activate(0, program, "vtkiLast");
-  }
-  this->LookUpKernel.Draw();
-  this->Coarse[next].End();
-  timer.End(vtkIndirectStageTimer::Estimate);
   this->CoarseNow = next;
   this->CoarseValid = smooth;
   if (step == 1)

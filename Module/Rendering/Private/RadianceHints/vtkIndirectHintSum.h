@@ -24,7 +24,7 @@ public:
   vtkIndirectVisibilityNeeds GetVisibilityNeeds(const vtkIndirectPlan& plan) const override;
   vtkIndirectSampler::Pointer ChooseSampler(
     const vtkIndirectSampler::Pointer& users, const vtkIndirectPlan& plan) override;
-  size_t GetMainMemoryBytes() const override;
+  size_t GetMainMemoryBytes() const override { return this->Grid.GetMainMemoryBytes(); }
   void AddToReport(vtkIndirectReport& report) const override;
 
   /** The irradiance of the last frame at every Step-th pixel. */

@@ -5,14 +5,11 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "Splatting/vtkIndirectSplatTable.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
-#include "vtkShaderProgram.h"
 
-#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -58,33 +55,9 @@ bool vtkIndirectFarField::Sum(
   const int rows = input.Lights->GetNumberOfRows();
   const int rowsPerDraw =
     input.Visibility.GetMaximumNumberOfSenders() / vtkIndirectSampler::RowLength;
-  const bool adds = rows > rowsPerDraw;
   this->SumCoarse.SetDefinitions(GetDefinitions(input, table, step));
-  vtkIndirectProgram program = this->SumCoarse.Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  this->Coarse.Begin();
-  if (adds)
-  {
-    this->Coarse.Clear();
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  }
-  table.Activate(input, program);
-  for (int row = 0; row < rows; row += rowsPerDraw)
-  {
-    const int block[2] = { row, std::min(row + rowsPerDraw, rows) };
-    program->SetUniform2i("vtkiLightRows", block);
-    this->SumCoarse.Draw();
-  }
-  state->vtkglDisable(GL_BLEND);
-  this->Coarse.End();
-  return true;
+  return this->SumCoarse.RunRows(frame.Window, this->Coarse, rows, rowsPerDraw,
+    [&](const vtkIndirectProgram& program) { table.Activate(input, program); });
 }
 
 //------------------------------------------------------------------------------
@@ -93,22 +66,13 @@ bool vtkIndirectFarField::AddTo(const vtkIndirectEstimateInput& input,
 {
   const vtkIndirectFrame& frame = input.Frame;
   this->Interpolate.SetDefinitions(GetDefinitions(input, table, step));
-  vtkIndirectProgram program = this->Interpolate.Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  vtkOpenGLState* state = frame.Window->GetState();
-  vtkOpenGLState::ScopedglBlendFuncSeparate blendFunc(state);
-  irradiance.Begin();
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
-  table.Activate(input, program);
-  this->Coarse.ActivateAll(program);
-  this->Interpolate.Draw();
-  state->vtkglDisable(GL_BLEND);
-  irradiance.End();
-  return true;
+  const vtkIndirectAddition addition(frame.Window);
+  return this->Interpolate.Run(frame.Window, irradiance,
+    [&](const vtkIndirectProgram& program)
+    {
+      table.Activate(input, program);
+      this->Coarse.ActivateAll(program);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -4,7 +4,6 @@
 #include "Splatting/vtkIndirectSplatTable.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
@@ -87,39 +86,20 @@ bool vtkIndirectSplatTable::Draw(const vtkIndirectEstimateInput& input)
   this->SumAll.SetDefinitions(definitions + "#define VTKI_SPLAT_COLUMNS\n");
   this->MakeBounds.SetDefinitions(definitions);
 
-  vtkIndirectProgram program = this->SumColumns.Use(window);
-  if (!program)
+  auto activate = [&](const vtkIndirectProgram& program)
   {
-    return false;
-  }
-  this->Columns.Begin();
-  lights.Activate(program);
-  lights.ActivateLobes(program);
-  this->SumColumns.Draw();
-  this->Columns.End();
-
-  program = this->SumAll.Use(window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Mean.Begin();
-  this->Columns.Activate(0, program);
-  this->SumAll.Draw();
-  this->Mean.End();
-
-  program = this->MakeBounds.Use(window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Bounds.Begin();
-  lights.Activate(program);
-  lights.ActivateLobes(program);
-  this->Activate(program);
-  this->MakeBounds.Draw();
-  this->Bounds.End();
-  return true;
+    lights.Activate(program);
+    lights.ActivateLobes(program);
+  };
+  return this->SumColumns.Run(window, this->Columns, activate) &&
+    this->SumAll.Run(window, this->Mean,
+      [&](const vtkIndirectProgram& program) { this->Columns.Activate(0, program); }) &&
+    this->MakeBounds.Run(window, this->Bounds,
+      [&](const vtkIndirectProgram& program)
+      {
+        activate(program);
+        this->Activate(program);
+      });
 }
 
 //------------------------------------------------------------------------------
@@ -149,9 +129,7 @@ void vtkIndirectSplatTable::Activate(const vtkIndirectProgram& program) const
 void vtkIndirectSplatTable::Activate(
   const vtkIndirectEstimateInput& input, const vtkIndirectProgram& program) const
 {
-  vtkIndirectSetEyeUniforms(program, input.Frame);
-  program->SetUniform2i("vtkiSize", input.Frame.Size);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+  input.Geometry.ActivateReceivers(program, input.Frame);
   input.Visibility.Activate(input.Frame.Window, program);
   input.Lights->Activate(program);
   input.Lights->ActivateLobes(program);

@@ -27,20 +27,18 @@ constexpr int TileSize = 16;
 class SplatState
 {
 public:
-  explicit SplatState(vtkOpenGLState* state)
-    : State(state)
-    , Cull(state, GL_CULL_FACE)
-    , Mask(state)
-    , Func(state)
-    , Blend(state)
+  explicit SplatState(vtkOpenGLRenderWindow* window)
+    : State(window->GetState())
+    , Cull(this->State, GL_CULL_FACE)
+    , Mask(this->State)
+    , Func(this->State)
+    , Addition(window)
   {
-    state->vtkglEnable(GL_BLEND);
-    state->vtkglBlendFunc(GL_ONE, GL_ONE);
-    state->vtkglEnable(GL_DEPTH_TEST);
-    state->vtkglDepthFunc(GL_GREATER);
-    state->vtkglDepthMask(GL_FALSE);
-    state->vtkglEnable(GL_CULL_FACE);
-    state->vtkglCullFace(GL_FRONT);
+    this->State->vtkglEnable(GL_DEPTH_TEST);
+    this->State->vtkglDepthFunc(GL_GREATER);
+    this->State->vtkglDepthMask(GL_FALSE);
+    this->State->vtkglEnable(GL_CULL_FACE);
+    this->State->vtkglCullFace(GL_FRONT);
     glEnable(GL_DEPTH_CLAMP);
   }
   ~SplatState()
@@ -48,7 +46,6 @@ public:
     glDisable(GL_DEPTH_CLAMP);
     this->State->vtkglCullFace(GL_BACK);
     this->State->vtkglDisable(GL_DEPTH_TEST);
-    this->State->vtkglDisable(GL_BLEND);
   }
   SplatState(const SplatState&) = delete;
   void operator=(const SplatState&) = delete;
@@ -58,7 +55,7 @@ private:
   vtkOpenGLState::ScopedglEnableDisable Cull;
   vtkOpenGLState::ScopedglDepthMask Mask;
   vtkOpenGLState::ScopedglDepthFunc Func;
-  vtkOpenGLState::ScopedglBlendFuncSeparate Blend;
+  vtkIndirectAddition Addition;
 };
 }
 
@@ -84,13 +81,11 @@ bool vtkIndirectSplats::SumBlended(
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   const std::string definitions =
     std::string(input.Visibility.GetDefinitions()) + input.Lights->GetDefinitions();
-  vtkOpenGLState* state = window->GetState();
-  vtkOpenGLState::ScopedglClearColor clearColor(state);
   sum.Begin();
   sum.Clear();
   bool done = false;
   {
-    const SplatState splats(state);
+    const SplatState splats(window);
     done = this->Draw(
       input, table, this->OfLights.Use(window, definitions + table.GetDefinitions(false)));
     if (done && input.Lights->HasLobes())

@@ -4,8 +4,9 @@
 #include "VirtualLights/vtkIndirectHeadlightSampler.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
+#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 
 //------------------------------------------------------------------------------
 bool vtkIndirectHeadlightSampler::Update(const Input& input)
@@ -22,23 +23,16 @@ bool vtkIndirectHeadlightSampler::Update(const Input& input)
   }
   vtkIndirectTarget& table = this->BeginChange();
   this->Program.SetDefinitions(input.Geometry.GetAlbedoDefinitions());
-  vtkIndirectProgram program = this->Program.Use(frame.Window);
-  if (!program)
-  {
-    return false;
-  }
-  table.Begin();
   const vtkIndirectLight& light = frame.Lights.front();
-  this->Texture.Activate(program);
-  input.Geometry.ActivateAlbedo(program);
-  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-  vtkIndirectSetEyeUniforms(program, frame);
-  vtkIndirectSetUniform(program, "vtkiSize", glm::vec2(frame.Size[0], frame.Size[1]));
-  vtkIndirectSetUniform(program, "vtkiLightColor", glm::vec3(light.Color));
-  vtkIndirectSetUniform(program, "vtkiToLight",
-    glm::vec3(-glm::normalize(glm::dmat3(frame.WorldToView) * light.DirectionWC)));
-  program->SetUniformi("vtkiParallel", frame.Parallel ? 1 : 0);
-  this->Program.Draw();
-  table.End();
-  return true;
+  return this->Program.Run(frame.Window, table,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Texture.Activate(program);
+      input.Geometry.ActivateAlbedo(program);
+      input.Geometry.ActivateReceivers(program, frame);
+      vtkIndirectSetUniform(program, "vtkiLightColor", glm::vec3(light.Color));
+      vtkIndirectSetUniform(program, "vtkiToLight",
+        glm::vec3(-glm::normalize(glm::dmat3(frame.WorldToView) * light.DirectionWC)));
+      program->SetUniformi("vtkiParallel", frame.Parallel ? 1 : 0);
+    });
 }

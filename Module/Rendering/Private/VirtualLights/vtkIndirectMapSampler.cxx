@@ -119,18 +119,14 @@ bool vtkIndirectMapSampler::Update(const Input& input)
     return false;
   }
   in.Program.SetDefinitions(drawing.Modulated ? "#define VTKI_AMBIENT_OCCLUSION\n" : "");
-  vtkIndirectProgram program = in.Program.Use(window);
-  if (!program)
-  {
-    return false;
-  }
-  table.Begin();
-  warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
-  maps.Activate(program);
-  program->SetUniformf("vtkiShareOfArea", static_cast<float>(drawing.ShareOfArea));
-  in.Program.Draw();
-  table.End();
-  if (!this->DrawLobes(input, warped))
+  const bool drawn = in.Program.Run(window, table,
+    [&](const vtkIndirectProgram& program)
+    {
+      warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
+      maps.Activate(program);
+      program->SetUniformf("vtkiShareOfArea", static_cast<float>(drawing.ShareOfArea));
+    });
+  if (!drawn || !this->DrawLobes(input, warped))
   {
     return false;
   }
@@ -150,18 +146,12 @@ bool vtkIndirectMapSampler::DrawLobes(const Input& input, bool warped)
     return true;
   }
   vtkIndirectTarget* lobes = this->MakeLobes(window);
-  vtkIndirectProgram program = lobes ? in.LobeProgram.Use(window) : nullptr;
-  if (!program)
-  {
-    return false;
-  }
-  lobes->Begin();
-  {
-    vtkIndirectFullScreenState fullScreen(window);
-    warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
-    input.Maps.Activate(program);
-    in.LobeProgram.Draw();
-  }
-  lobes->End();
-  return true;
+  vtkIndirectFullScreenState fullScreen(window);
+  return lobes &&
+    in.LobeProgram.Run(window, *lobes,
+      [&](const vtkIndirectProgram& program)
+      {
+        warped ? in.Warp.Activate(program) : in.Pattern.Activate(program);
+        input.Maps.Activate(program);
+      });
 }

@@ -120,42 +120,35 @@ bool vtkIndirectSampleWarp::SumNodes(
   vtkOpenGLState* state = window->GetState();
   const int height = this->Rows * (this->Cells / 2);
   int begin[2] = { this->FindLevelWidth(0), 0 };
-  vtkIndirectProgram program = this->ImportanceProgram.Use(
-    window, definitions + (maps.HasSpecular() ? "#define VTKI_SPECULAR\n" : ""));
-  if (!program)
-  {
-    return false;
-  }
-  this->Even.Begin();
-  state->vtkglViewport(0, 0, begin[0], height);
-  maps.Activate(program);
-  this->ActivateCharts(program);
-  program->SetUniformf(
-    "vtkiScale", static_cast<float>(this->Strongest > 0.0 ? 1.0 / this->Strongest : 1.0));
-  program->SetUniformf("vtkiOcclusion", static_cast<float>(occlusion));
-  this->ImportanceProgram.Draw();
-  this->Even.End();
-  int below = 0;
-  for (int level = 1; level < this->Levels; ++level)
-  {
-    program = this->SumProgram.Use(window, definitions);
-    if (!program)
+  this->ImportanceProgram.SetDefinitions(
+    definitions + (maps.HasSpecular() ? "#define VTKI_SPECULAR\n" : ""));
+  this->SumProgram.SetDefinitions(definitions);
+  bool done = this->ImportanceProgram.Run(window, this->Even,
+    [&](const vtkIndirectProgram& program)
     {
-      return false;
-    }
+      state->vtkglViewport(0, 0, begin[0], height);
+      maps.Activate(program);
+      this->ActivateCharts(program);
+      program->SetUniformf(
+        "vtkiScale", static_cast<float>(this->Strongest > 0.0 ? 1.0 / this->Strongest : 1.0));
+      program->SetUniformf("vtkiOcclusion", static_cast<float>(occlusion));
+    });
+  int below = 0;
+  for (int level = 1; done && level < this->Levels; ++level)
+  {
     const int parity = level % 2;
-    vtkIndirectTarget& nodes = parity == 0 ? this->Even : this->Odd;
-    nodes.Begin();
-    state->vtkglViewport(begin[parity], 0, this->FindLevelWidth(level), height >> level);
-    this->ActivateNodes(1 - parity, program, "vtkiLit", "vtkiFlux");
-    program->SetUniformi("vtkiBelow", below);
-    program->SetUniformi("vtkiBegin", begin[parity]);
-    this->SumProgram.Draw();
-    nodes.End();
+    done = this->SumProgram.Run(window, parity == 0 ? this->Even : this->Odd,
+      [&](const vtkIndirectProgram& program)
+      {
+        state->vtkglViewport(begin[parity], 0, this->FindLevelWidth(level), height >> level);
+        this->ActivateNodes(1 - parity, program, "vtkiLit", "vtkiFlux");
+        program->SetUniformi("vtkiBelow", below);
+        program->SetUniformi("vtkiBegin", begin[parity]);
+      });
     below = begin[parity];
     begin[parity] += this->FindLevelWidth(level);
   }
-  return true;
+  return done;
 }
 
 //------------------------------------------------------------------------------
@@ -169,30 +162,23 @@ bool vtkIndirectSampleWarp::Warp(vtkOpenGLRenderWindow* window, const vtkIndirec
     return false;
   }
   this->WarpProgram.SetDefinitions(this->WithFlux ? "#define VTKI_FLUX\n" : "");
-  vtkIndirectProgram program = this->WarpProgram.Use(window);
-  if (!program)
-  {
-    return false;
-  }
-  this->Samples.Begin();
-  {
-    vtkIndirectFullScreenState fullScreen(window);
-    pattern.Activate(program);
-    maps.Activate(program);
-    this->ActivateCharts(program);
-    this->ActivateNodes(0, program, "vtkiLitEven", "vtkiFluxEven");
-    this->ActivateNodes(1, program, "vtkiLitOdd", "vtkiFluxOdd");
-    program->SetUniformi("vtkiLevels", this->Levels);
-    if (this->WithFlux)
+  vtkIndirectFullScreenState fullScreen(window);
+  return this->WarpProgram.Run(window, this->Samples,
+    [&](const vtkIndirectProgram& program)
     {
-      program->SetUniformf("vtkiEvenness", static_cast<float>(drawing.Evenness));
-      program->SetUniformi("vtkiMethod", drawing.Method);
-      program->SetUniformi("vtkiWarpedLevels", drawing.Levels);
-    }
-    this->WarpProgram.Draw();
-  }
-  this->Samples.End();
-  return true;
+      pattern.Activate(program);
+      maps.Activate(program);
+      this->ActivateCharts(program);
+      this->ActivateNodes(0, program, "vtkiLitEven", "vtkiFluxEven");
+      this->ActivateNodes(1, program, "vtkiLitOdd", "vtkiFluxOdd");
+      program->SetUniformi("vtkiLevels", this->Levels);
+      if (this->WithFlux)
+      {
+        program->SetUniformf("vtkiEvenness", static_cast<float>(drawing.Evenness));
+        program->SetUniformi("vtkiMethod", drawing.Method);
+        program->SetUniformi("vtkiWarpedLevels", drawing.Levels);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -213,12 +199,6 @@ bool vtkIndirectSampleWarp::Update(vtkOpenGLRenderWindow* window, const vtkIndir
     this->Occlusion = drawing.Occlusion;
   }
   return this->Warp(window, maps, drawing, pattern);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSampleWarp::Activate(const vtkIndirectProgram& program) const
-{
-  this->Samples.Activate(0, program);
 }
 
 //------------------------------------------------------------------------------

@@ -41,7 +41,7 @@ public:
     const vtkIndirectMapSampler::Drawing& drawing, const vtkIndirectPatternTexture& pattern);
 
   /** Binds the samples in place of a pattern. */
-  void Activate(const vtkIndirectProgram& program) const;
+  void Activate(const vtkIndirectProgram& program) const { this->Samples.Activate(0, program); }
 
   /** Cells along the edge of a chart, after Update. */
   int GetCells() const { return this->Cells; }

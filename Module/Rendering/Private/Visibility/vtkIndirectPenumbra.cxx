@@ -34,11 +34,6 @@ constexpr int MaximumAtlas = 2048;
 // its points see a receiver beside their map and do not count.
 constexpr double NearestRadii = 4.0;
 
-glm::dvec3 Corner(const double bounds[6], int i)
-{
-  return { bounds[i & 1], bounds[2 + ((i >> 1) & 1)], bounds[4 + ((i >> 2) & 1)] };
-}
-
 // Returns the corners of all casters' bounds, in scene units.
 std::vector<glm::dvec3> FindCorners(const vtkIndirectFrame& frame)
 {
@@ -48,7 +43,7 @@ std::vector<glm::dvec3> FindCorners(const vtkIndirectFrame& frame)
   {
     for (int i = 0; i < 8; ++i)
     {
-      corners.push_back((Corner(caster.GetFit(), i) - frame.SceneCenter) * frame.SceneScale);
+      corners.push_back(frame.ToScene(vtkIndirectFrame::GetCorner(caster.GetFit(), i)));
     }
   }
   return corners;
@@ -100,8 +95,7 @@ void FitPositional(
 {
   using namespace vtkIndirectKernels;
   const glm::dmat3 rotation(centre.LightToWorld);
-  const glm::dvec3 place =
-    (glm::dvec3(centre.LightToWorld[3]) - frame.SceneCenter) * frame.SceneScale;
+  const glm::dvec3 place = frame.ToScene(glm::dvec3(centre.LightToWorld[3]));
   const double distance = glm::length(place);
   // Larger lights are reduced to this size: they have the scene within them, and hardly any
   // shadows.
@@ -321,16 +315,10 @@ bool vtkIndirectPenumbra::JoinTexels(const vtkIndirectFrame& frame)
   vtkOpenGLState* state = frame.Window->GetState();
   vtkIndirectFullScreenState kernelState(frame.Window);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  this->Tiles.Begin();
-  vtkIndirectProgram program = this->Kernel.Use(frame.Window);
-  if (program)
-  {
-    this->Atlas.Activate(program);
-    this->Kernel.Draw();
-    this->Joined = this->Atlas.GetNumberOfTilesDrawn();
-  }
-  this->Tiles.End();
-  return program != nullptr;
+  const bool joined = this->Kernel.Run(frame.Window, this->Tiles,
+    [&](const vtkIndirectProgram& program) { this->Atlas.Activate(program); });
+  this->Joined = joined ? this->Atlas.GetNumberOfTilesDrawn() : this->Joined;
+  return joined;
 }
 
 //------------------------------------------------------------------------------

@@ -7,7 +7,7 @@
 
 uniform sampler2D vtkiPattern;
 uniform sampler2D vtkiSurface;
-uniform vec2 vtkiSize;
+uniform ivec2 vtkiSize;
 uniform mat3 vtkiRayOrigin;
 uniform mat3 vtkiRayDirection;
 uniform mat4 vtkiViewToScene;
@@ -18,7 +18,8 @@ uniform int vtkiParallel;
 void main()
 {
   vec4 sampled = texelFetch(vtkiPattern, ivec2(gl_FragCoord.xy), 0);
-  ivec2 texel = ivec2(min(sampled.xy * vtkiSize, vtkiSize - 1.0f));
+  vec2 size = vec2(vtkiSize);
+  ivec2 texel = ivec2(min(sampled.xy * size, size - 1.0f));
   vec4 surface = texelFetch(vtkiSurface, texel, 0);
   vec3 position = vec3(0.0f);
   vec3 normal = vec3(0.0f, 0.0f, 1.0f);
@@ -26,13 +27,13 @@ void main()
   float area = 1.0f;
   if (sampled.w > 0.0f && vtkiSurfaceIsLit(surface))
   {
-    vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / vtkiSize - 1.0f;
+    vec2 ndc = 2.0f * (vec2(texel) + 0.5f) / size - 1.0f;
     vec3 p = vtkiReconstruct(ndc, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
     // The facet sends, and the shading normal lights it.
     normal = vtkiSurfaceFacet(surface);
     // Edge vectors of the pixel on the plane at this depth: its area there, whatever the projection.
-    vec3 dx = (vtkiRayOrigin[0] + vtkiSurfaceDepth(surface) * vtkiRayDirection[0]) * (2.0f / vtkiSize.x);
-    vec3 dy = (vtkiRayOrigin[1] + vtkiSurfaceDepth(surface) * vtkiRayDirection[1]) * (2.0f / vtkiSize.y);
+    vec3 dx = (vtkiRayOrigin[0] + vtkiSurfaceDepth(surface) * vtkiRayDirection[0]) * (2.0f / size.x);
+    vec3 dy = (vtkiRayOrigin[1] + vtkiSurfaceDepth(surface) * vtkiRayDirection[1]) * (2.0f / size.y);
     float pixelArea = length(cross(dx, dy));
     // In stereo the eye is beside the origin.
     vec3 toEye = vtkiParallel != 0 ? vec3(0.0f, 0.0f, 1.0f) : normalize(vtkiRayOrigin[2] - p);
