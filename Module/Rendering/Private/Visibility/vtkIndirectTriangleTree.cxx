@@ -351,76 +351,11 @@ bool vtkIndirectTriangleTree::Clip(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec3& end) const
+// Calls for the number of each triangle and sphere whose box the line meets before the limit, which
+// the call may lower. The nearest boxes come first.
+template <typename Call>
+void vtkIndirectTriangleTree::Walk(const Line& line, float& limit, Call call) const
 {
-  const glm::dvec3 way = end - start;
-  double enter = 0.0;
-  double leave = 1.0;
-  if (this->Nodes.empty() || way == glm::dvec3(0.0) || !this->Clip(start, way, enter, leave))
-  {
-    return false;
-  }
-  const Ray ray(start, way);
-  const Line line(start + enter * way - this->Origin, glm::vec3((leave - enter) * way));
-  uint32_t waiting[(Width - 1) * vtkIndirectBoxTree::Deepest] = { 0 };
-  int count = 1;
-  while (count > 0)
-  {
-    const Node& node = this->Nodes[waiting[--count]];
-    float near[Width];
-    const unsigned int met = line.Meet(node, near);
-    int nearest = -1;
-    for (int i = 0; i < Width; ++i)
-    {
-      if (!(met >> i & 1u))
-      {
-        continue;
-      }
-      if (node.Count[i] == 0)
-      {
-        // The nearest child is put last and is taken first.
-        waiting[count] = node.First[i];
-        if (nearest < 0 || near[i] < near[nearest])
-        {
-          nearest = i;
-        }
-        else
-        {
-          std::swap(waiting[count], waiting[count - 1]);
-        }
-        ++count;
-        continue;
-      }
-      for (uint32_t k = node.First[i]; k < node.First[i] + node.Count[i]; ++k)
-      {
-        const Triangle& triangle = this->Triangles[k];
-        if (triangle.IsSphere() ? triangle.SphereCrosses(start, way) : ray.Crosses(triangle))
-        {
-          return true;
-        }
-      }
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectTriangleTree::FindNearest(
-  const glm::dvec3& start, const glm::dvec3& direction, uint32_t except, Hit& hit) const
-{
-  hit.Triangle = None;
-  double enter = 0.0;
-  double leave = std::numeric_limits<double>::infinity();
-  if (this->Nodes.empty() || !this->Clip(start, direction, enter, leave) || !std::isfinite(leave))
-  {
-    return false;
-  }
-  // Boxes are tested with a segment that ends where the ray leaves the box of all triangles.
-  const double length = leave - enter;
-  const Ray ray(start, direction);
-  const Line line(start + enter * direction - this->Origin, glm::vec3(length * direction));
-  double least = std::numeric_limits<double>::infinity();
-  float limit = 1.0f;
   struct Visit
   {
     uint32_t Node;
@@ -458,29 +393,78 @@ bool vtkIndirectTriangleTree::FindNearest(
       }
       for (uint32_t k = node.First[i]; k < node.First[i] + node.Count[i]; ++k)
       {
-        const Triangle& triangle = this->Triangles[k];
-        double weights[3];
-        double determinant = 1.0;
-        double t;
-        const bool meets = this->Numbers[k] != except &&
-          (triangle.IsSphere() ? triangle.MeetsSphere(start, direction, t, weights)
-                               : ray.Meets(triangle, weights, determinant, t));
-        if (!meets || !(t / determinant < least))
-        {
-          continue;
-        }
-        least = t / determinant;
-        hit.Triangle = this->Numbers[k];
-        hit.Distance = least;
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          hit.Weights[corner] = weights[corner] / determinant;
-        }
-        // Boxes are wider than the rounding to floats; the limit gets the same margin.
-        limit = static_cast<float>((least - enter) / length + 2.0 * Padding);
+        call(k);
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec3& end) const
+{
+  const glm::dvec3 way = end - start;
+  double enter = 0.0;
+  double leave = 1.0;
+  if (this->Nodes.empty() || way == glm::dvec3(0.0) || !this->Clip(start, way, enter, leave))
+  {
+    return false;
+  }
+  const Ray ray(start, way);
+  const Line line(start + enter * way - this->Origin, glm::vec3((leave - enter) * way));
+  float limit = 1.0f;
+  this->Walk(line, limit,
+    [&](uint32_t k)
+    {
+      const Triangle& triangle = this->Triangles[k];
+      if (triangle.IsSphere() ? triangle.SphereCrosses(start, way) : ray.Crosses(triangle))
+      {
+        limit = -1.0f; // ends the walk
+      }
+    });
+  return limit < 0.0f;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectTriangleTree::FindNearest(
+  const glm::dvec3& start, const glm::dvec3& direction, uint32_t except, Hit& hit) const
+{
+  hit.Triangle = None;
+  double enter = 0.0;
+  double leave = std::numeric_limits<double>::infinity();
+  if (this->Nodes.empty() || !this->Clip(start, direction, enter, leave) || !std::isfinite(leave))
+  {
+    return false;
+  }
+  // Boxes are tested with a segment that ends where the ray leaves the box of all triangles.
+  const double length = leave - enter;
+  const Ray ray(start, direction);
+  const Line line(start + enter * direction - this->Origin, glm::vec3(length * direction));
+  double least = std::numeric_limits<double>::infinity();
+  float limit = 1.0f;
+  this->Walk(line, limit,
+    [&](uint32_t k)
+    {
+      const Triangle& triangle = this->Triangles[k];
+      double weights[3];
+      double determinant = 1.0;
+      double t;
+      const bool meets = this->Numbers[k] != except &&
+        (triangle.IsSphere() ? triangle.MeetsSphere(start, direction, t, weights)
+                             : ray.Meets(triangle, weights, determinant, t));
+      if (!meets || !(t / determinant < least))
+      {
+        return;
+      }
+      least = t / determinant;
+      hit.Triangle = this->Numbers[k];
+      hit.Distance = least;
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        hit.Weights[corner] = weights[corner] / determinant;
+      }
+      // Boxes are wider than the rounding to floats; the limit gets the same margin.
+      limit = static_cast<float>((least - enter) / length + 2.0 * Padding);
+    });
   return hit.Triangle != None;
 }
 

@@ -7,8 +7,7 @@
 // share get the same numbers with the other sign, so a segment through an edge or a corner meets at
 // least one of them. Boxes are wider than their triangles by more than all rounding, so the tree
 // finds what a loop over all triangles would.
-#ifndef vtkIndirectTriangleTree_h
-#define vtkIndirectTriangleTree_h
+#pragma once
 
 #include <cmath>       // for infinity
 #include <cstdint>     // for indices
@@ -91,6 +90,8 @@ private:
   struct Ray;
 
   bool Clip(const glm::dvec3& start, const glm::dvec3& way, double& enter, double& leave) const;
+  template <typename Call>
+  void Walk(const Line& line, float& limit, Call call) const;
 
   std::vector<Triangle> Triangles; // by leaf after Finish
   std::vector<uint32_t> Numbers;   // numbers of these triangles, in the order in which they were
@@ -102,5 +103,3 @@ private:
   glm::dvec3 Upper{ 0.0 };
   glm::dvec3 Origin{ 0.0 }; // where most triangles are
 };
-
-#endif
