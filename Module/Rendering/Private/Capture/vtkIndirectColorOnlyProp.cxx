@@ -8,9 +8,6 @@
 
 vtkStandardNewMacro(vtkIndirectColorOnlyProp);
 
-vtkIndirectColorOnlyProp::vtkIndirectColorOnlyProp() = default;
-vtkIndirectColorOnlyProp::~vtkIndirectColorOnlyProp() = default;
-
 //------------------------------------------------------------------------------
 void vtkIndirectColorOnlyProp::Set(
   vtkProp* prop, vtkSurfaceCapturePass* capture, vtkLightCollection* lights)
@@ -24,30 +21,6 @@ void vtkIndirectColorOnlyProp::Set(
     // Passes choose props by their keys.
     this->SetPropertyKeys(prop->GetPropertyKeys());
   }
-}
-
-//------------------------------------------------------------------------------
-double* vtkIndirectColorOnlyProp::GetBounds()
-{
-  return this->Prop ? this->Prop->GetBounds() : nullptr;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkIndirectColorOnlyProp::GetRedrawMTime()
-{
-  return this->Prop ? this->Prop->GetRedrawMTime() : this->GetMTime();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeBool vtkIndirectColorOnlyProp::HasTranslucentPolygonalGeometry()
-{
-  return this->Prop && this->Prop->HasTranslucentPolygonalGeometry();
-}
-
-//------------------------------------------------------------------------------
-vtkTypeBool vtkIndirectColorOnlyProp::HasOpaqueGeometry()
-{
-  return this->Prop && this->Prop->HasOpaqueGeometry();
 }
 
 //------------------------------------------------------------------------------
@@ -73,22 +46,4 @@ int vtkIndirectColorOnlyProp::RenderOpaqueGeometry(vtkViewport* viewport)
     this->Capture->DrawChannel(vtkSurfaceCapturePass::Color);
   }
   return drawn;
-}
-
-//------------------------------------------------------------------------------
-int vtkIndirectColorOnlyProp::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
-{
-  return this->Prop ? this->Prop->RenderTranslucentPolygonalGeometry(viewport) : 0;
-}
-
-//------------------------------------------------------------------------------
-int vtkIndirectColorOnlyProp::RenderVolumetricGeometry(vtkViewport* viewport)
-{
-  return this->Prop ? this->Prop->RenderVolumetricGeometry(viewport) : 0;
-}
-
-//------------------------------------------------------------------------------
-int vtkIndirectColorOnlyProp::RenderOverlay(vtkViewport* viewport)
-{
-  return this->Prop ? this->Prop->RenderOverlay(viewport) : 0;
 }

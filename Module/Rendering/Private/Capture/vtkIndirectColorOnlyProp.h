@@ -3,8 +3,7 @@
 // shader does not write are undefined, so this draws the prop into the colour, and then once more
 // without blending into the surface: zero, which is no surface. Without a prop it ends the list of
 // captured props: passes that draw after it write only colour.
-#ifndef vtkIndirectColorOnlyProp_h
-#define vtkIndirectColorOnlyProp_h
+#pragma once
 
 #include "vtkProp.h"
 
@@ -23,26 +22,32 @@ public:
    */
   void Set(vtkProp* prop, vtkSurfaceCapturePass* capture, vtkLightCollection* lights);
 
-  double* GetBounds() override;
-  vtkMTimeType GetRedrawMTime() override;
-  vtkTypeBool HasTranslucentPolygonalGeometry() override;
-  vtkTypeBool HasOpaqueGeometry() override;
+  double* GetBounds() override { return this->Prop ? this->Prop->GetBounds() : nullptr; }
+  vtkMTimeType GetRedrawMTime() override
+  {
+    return this->Prop ? this->Prop->GetRedrawMTime() : this->GetMTime();
+  }
+  vtkTypeBool HasTranslucentPolygonalGeometry() override
+  {
+    return this->Prop && this->Prop->HasTranslucentPolygonalGeometry();
+  }
+  vtkTypeBool HasOpaqueGeometry() override { return this->Prop && this->Prop->HasOpaqueGeometry(); }
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
-  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
-  int RenderVolumetricGeometry(vtkViewport* viewport) override;
-  int RenderOverlay(vtkViewport* viewport) override;
-
-protected:
-  vtkIndirectColorOnlyProp();
-  ~vtkIndirectColorOnlyProp() override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override
+  {
+    return this->Prop ? this->Prop->RenderTranslucentPolygonalGeometry(viewport) : 0;
+  }
+  int RenderVolumetricGeometry(vtkViewport* viewport) override
+  {
+    return this->Prop ? this->Prop->RenderVolumetricGeometry(viewport) : 0;
+  }
+  int RenderOverlay(vtkViewport* viewport) override
+  {
+    return this->Prop ? this->Prop->RenderOverlay(viewport) : 0;
+  }
 
 private:
-  vtkIndirectColorOnlyProp(const vtkIndirectColorOnlyProp&) = delete;
-  void operator=(const vtkIndirectColorOnlyProp&) = delete;
-
   vtkProp* Prop = nullptr;
   vtkSurfaceCapturePass* Capture = nullptr;
   vtkLightCollection* Lights = nullptr;
 };
-
-#endif
