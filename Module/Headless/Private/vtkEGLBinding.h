@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Remembers a thread's current context, to restore it.
-#ifndef vtkEGLBinding_h
-#define vtkEGLBinding_h
+#pragma once
 
 #include <EGL/egl.h>
 
@@ -21,5 +20,3 @@ struct vtkEGLBinding
   /** Leaves the thread without a current context if this one was current. */
   void ReleaseCurrent() const;
 };
-
-#endif

@@ -3,7 +3,6 @@
 
 #include "vtkEGLDevice.h"
 #include "vtkEGLDiagnosis.h"
-#include "vtkEGLDisplayUsers.h"
 #include "vtkEGLLoader.h"
 #include "vtkEGLMachine.h"
 #include "vtkEGLPlatform.h"
@@ -14,6 +13,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <vector>
 
 using vtkEGLUtilities::GetErrorName;
@@ -27,6 +28,57 @@ const char* const DeviceVariable = "VTK_INDIRECT_EGL_DEVICE";
 const char* const BlockedReason =
   "Another OpenGL context, such as that of an X window, is current in "
   "this thread. Call ReleaseCurrent() on its window first.";
+
+// Counts the users of EGL displays. Displays are shared: two requests for a display give the same
+// handle, and terminating it ends it for everybody. So users are counted over all windows and
+// threads, and a display initialized by other code is never terminated.
+class DisplayUsers
+{
+public:
+  // The instance is never deleted: windows may be destroyed as late as static objects.
+  static DisplayUsers& GetInstance()
+  {
+    static auto* users = new DisplayUsers;
+    return *users;
+  }
+
+  // Initializes the display for its first user. Returns false, with EGL's error, if that fails.
+  bool Acquire(EGLDisplay display)
+  {
+    std::lock_guard<std::mutex> lock(this->Mutex);
+    Entry& entry = this->Entries[display];
+    if (entry.Count == 0)
+    {
+      entry.IsForeign = eglQueryString(display, EGL_VERSION) != nullptr;
+      if (!eglInitialize(display, nullptr, nullptr))
+      {
+        return false;
+      }
+    }
+    ++entry.Count;
+    return true;
+  }
+
+  // Terminates the display after its last user.
+  void Release(EGLDisplay display)
+  {
+    std::lock_guard<std::mutex> lock(this->Mutex);
+    Entry& entry = this->Entries[display];
+    if (--entry.Count == 0 && !entry.IsForeign)
+    {
+      eglTerminate(display);
+    }
+  }
+
+private:
+  struct Entry
+  {
+    int Count = 0;
+    bool IsForeign = false;
+  };
+  std::mutex Mutex;
+  std::map<EGLDisplay, Entry> Entries;
+};
 
 //------------------------------------------------------------------------------
 std::string ExplainMissingCard(std::vector<vtkEGLMachine::Attempt> attempts)
@@ -123,7 +175,7 @@ std::string vtkEGLContext::CreateOn(const vtkEGLPlatform& platform)
   {
     return "no EGL display";
   }
-  if (!vtkEGLDisplayUsers::GetInstance().Acquire(this->Display))
+  if (!DisplayUsers::GetInstance().Acquire(this->Display))
   {
     std::string reason = "eglInitialize: " + GetErrorName(eglGetError());
     *this = vtkEGLContext();
@@ -251,6 +303,6 @@ void vtkEGLContext::Destroy()
   {
     eglDestroySurface(this->Display, this->Draw);
   }
-  vtkEGLDisplayUsers::GetInstance().Release(this->Display);
+  DisplayUsers::GetInstance().Release(this->Display);
   *this = vtkEGLContext();
 }

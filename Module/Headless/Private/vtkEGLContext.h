@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An OpenGL core-profile context with its surface and display, on one platform.
-#ifndef vtkEGLContext_h
-#define vtkEGLContext_h
+#pragma once
 
 #include "vtkEGLBinding.h" // for the superclass
 
@@ -32,5 +31,3 @@ private:
   std::string MakeContextAndSurface();
   std::string Examine(const vtkEGLPlatform& platform);
 };
-
-#endif

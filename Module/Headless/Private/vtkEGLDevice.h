@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // EGL's description of one of its devices. Drivers report different properties, and some none.
-#ifndef vtkEGLDevice_h
-#define vtkEGLDevice_h
+#pragma once
 
 #include <string> // for names
 #include <vector> // for lists
@@ -34,5 +33,3 @@ struct vtkEGLDevice
   /** The descriptions of all devices in one line, or a text that there are none. */
   static std::string DescribeAll(const std::vector<vtkEGLDevice>& devices);
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Explains why a graphics card does not render, from plain facts.
-#ifndef vtkEGLDiagnosis_h
-#define vtkEGLDiagnosis_h
+#pragma once
 
 #include <string> // for text
 
@@ -18,5 +17,3 @@ std::string Explain(const vtkEGLMachine& machine);
  * known. */
 std::string ExplainRenderNode(const vtkEGLMachine& machine, const std::string& renderNode);
 }
-
-#endif

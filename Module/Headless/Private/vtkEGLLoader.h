@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // OpenGL's functions through EGL: the queries made before VTK has loaded OpenGL, and the loading
 // itself for a VTK that uses GLEW. The context must be current.
-#ifndef vtkEGLLoader_h
-#define vtkEGLLoader_h
+#pragma once
 
 #include <string> // for names
 
@@ -26,5 +25,3 @@ float GetMaximumLineWidth(bool smooth);
 std::string LoadGLEW();
 #endif
 }
-
-#endif

@@ -2,8 +2,7 @@
 // A machine's, or a container's, graphics cards as seen outside of EGL: device files, the kernel's
 // drivers, the place of NVIDIA's driver, and the environment's choices. Plain facts, so that the
 // conclusions from them can be tested without a card.
-#ifndef vtkEGLMachine_h
-#define vtkEGLMachine_h
+#pragma once
 
 #include <string> // for paths
 #include <vector> // for lists
@@ -72,5 +71,3 @@ struct vtkEGLMachine
   /** True if the environment requests that Mesa renders in software. */
   static bool EnvironmentWantsSoftware();
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A possible source of a context, and the order in which sources are tried.
-#ifndef vtkEGLPlatform_h
-#define vtkEGLPlatform_h
+#pragma once
 
 #include <EGL/egl.h>
 
@@ -29,5 +28,3 @@ struct vtkEGLPlatform
    * is not a software device must render in hardware, unless the environment requests software. */
   static std::vector<vtkEGLPlatform> ListCandidates(int deviceIndex);
 };
-
-#endif

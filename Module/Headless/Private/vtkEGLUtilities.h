@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Small queries to EGL: names of errors, extensions, addresses of functions.
-#ifndef vtkEGLUtilities_h
-#define vtkEGLUtilities_h
+#pragma once
 
 #include <EGL/egl.h>
 
@@ -25,5 +24,3 @@ Function GetFunction(const char* name)
   return reinterpret_cast<Function>(eglGetProcAddress(name));
 }
 }
-
-#endif
