@@ -407,8 +407,7 @@ def table_text() -> str:
         "// SPDX-License-Identifier: BSD-3-Clause",
         "// What sums over spheres need in spherical harmonics. Written by",
         "// Testing/Reference/fit_sphere_proxies.py, which says what the numbers are; not to be edited.",
-        "#ifndef vtkIndirectProxyTable_h",
-        "#define vtkIndirectProxyTable_h",
+        "#pragma once",
         "",
         "// clang-format off",
         f"constexpr int vtkIndirectProxyEntries = {ENTRIES};",
@@ -417,7 +416,7 @@ def table_text() -> str:
     ]
     lines += ["  {" + ", ".join(f"{v:.7g}f" if "." in f"{v:.7g}" or "e" in f"{v:.7g}"
                                 else f"{v:.1f}f" for v in row) + "}," for row in table]
-    lines += ["};", "// clang-format on", "#endif", ""]
+    lines += ["};", "// clang-format on", ""]
     return "\n".join(lines)
 
 

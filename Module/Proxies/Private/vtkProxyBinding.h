@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spheres bound to points of a surface, which they follow.
-#ifndef vtkProxyBinding_h
-#define vtkProxyBinding_h
+#pragma once
 
 #include "vtkProxySurface.h" // for the surface
 
@@ -24,5 +23,3 @@ struct vtkProxyBinding
 
   static double GetSpread(const glm::dvec3* points, int count);
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Positions sorted into cells of space.
-#ifndef vtkProxyCells_h
-#define vtkProxyCells_h
+#pragma once
 
 #include <algorithm>   // for bounds
 #include <cmath>       // for cells
@@ -81,5 +80,3 @@ private:
   std::vector<int> Starts;
   std::vector<int> Items;
 };
-
-#endif

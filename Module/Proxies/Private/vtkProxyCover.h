@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Covers a surface with spheres: candidates, a greedy choice, steps towards the least squared
 // distance.
-#ifndef vtkProxyCover_h
-#define vtkProxyCover_h
+#pragma once
 
 #include "vtkProxySolid.h" // for the interior
 
@@ -62,5 +61,3 @@ private:
   std::vector<Sample> Samples;
   std::vector<Candidate> Candidates;
 };
-
-#endif

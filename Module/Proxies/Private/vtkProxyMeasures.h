@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Measures how well spheres approximate a surface and its interior.
-#ifndef vtkProxyMeasures_h
-#define vtkProxyMeasures_h
+#pragma once
 
 #include "vtkProxySolid.h" // for the interior
 
@@ -19,5 +18,3 @@ struct vtkProxyMeasures
   void Measure(const vtkProxySurface& surface, const vtkProxySolid& solid,
     const std::vector<vtkProxySphere>& spheres, double error);
 };
-
-#endif

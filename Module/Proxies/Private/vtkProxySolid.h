@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The interior of a surface: voxels with the distance to it, and a test for positions.
-#ifndef vtkProxySolid_h
-#define vtkProxySolid_h
+#pragma once
 
 #include "vtkProxySurface.h" // for the surface
 
@@ -73,5 +72,3 @@ private:
   std::vector<Voxel> Voxels;
   std::vector<int> VoxelIndices;
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Triangles in a tree: nearest point of the surface, and winding number of a position.
-#ifndef vtkProxySurface_h
-#define vtkProxySurface_h
+#pragma once
 
 #include <array>       // for triangles
 #include <glm/glm.hpp> // for vectors
@@ -112,5 +111,3 @@ private:
   double Diagonal = 1.0;
   bool Open = false;
 };
-
-#endif

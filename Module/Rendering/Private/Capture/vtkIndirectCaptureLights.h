@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Uniforms of the lights that a surface mapper's shader reads beside VTK's own: the cosine of each
 // cone, and the place of each light's shadow map.
-#ifndef vtkIndirectCaptureLights_h
-#define vtkIndirectCaptureLights_h
+#pragma once
 
 #include "Capture/vtkIndirectLightConstants.h"
 
@@ -51,5 +50,3 @@ private:
   };
   std::vector<Light> Lights; // indexed by vtkIndirectLight::Index
 };
-
-#endif

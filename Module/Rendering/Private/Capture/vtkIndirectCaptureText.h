@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The text that vtkSurfaceCapturePass adds to the shaders of mappers.
-#ifndef vtkIndirectCaptureText_h
-#define vtkIndirectCaptureText_h
+#pragma once
 
 #include <string>
 
@@ -28,5 +27,3 @@ struct vtkIndirectCaptureText
   void Add(
     std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader) const;
 };
-
-#endif

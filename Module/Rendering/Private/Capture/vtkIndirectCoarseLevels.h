@@ -3,8 +3,7 @@
 // Depth maps draw a level whose distance is below a share of a texel. The choice depends only on
 // the map and the prop, never on time, so that complete maps are equal, however many frames they
 // took.
-#ifndef vtkIndirectCoarseLevels_h
-#define vtkIndirectCoarseLevels_h
+#pragma once
 
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkSmartPointer.h"            // for members
@@ -86,5 +85,3 @@ private:
   void DiscardBuffers(Level& level);
   void DiscardBuffers(Entry& entry);
 };
-
-#endif

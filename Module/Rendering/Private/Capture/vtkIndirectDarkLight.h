@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Adds a light that emits nothing to a renderer without lights, for the lifetime of this object:
 // without any light VTK draws surfaces unlit, in their full colour and without normals.
-#ifndef vtkIndirectDarkLight_h
-#define vtkIndirectDarkLight_h
+#pragma once
 
 #include "Frame/vtkIndirectFrame.h"
 #include "vtkLight.h"
@@ -45,5 +44,3 @@ private:
   vtkRenderer* Renderer;
   vtkNew<vtkLight> Light;
 };
-
-#endif

@@ -3,8 +3,7 @@
 // of a prop is set up once for any number of cameras, and software rasterizers interpolate no
 // attributes: two thirds of the time of mappers. Not for props that differ from their polygons:
 // impostors, glyphs, textures, clipping planes, users' shaders.
-#ifndef vtkIndirectDepthDrawer_h
-#define vtkIndirectDepthDrawer_h
+#pragma once
 
 #include "Capture/vtkIndirectCoarseLevels.h" // for levels
 #include "OpenGL/vtkIndirectResource.h"      // for the base class
@@ -50,5 +49,3 @@ private:
   vtkIndirectCoarseLevels::Level* Level = nullptr; // between Begin and End
   glm::dmat4 ToWorld{ 1.0 };                       // transform from the buffer's coordinates
 };
-
-#endif

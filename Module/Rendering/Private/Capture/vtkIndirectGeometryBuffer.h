@@ -12,8 +12,7 @@
 // for VTK's PBR, if requested, F0 and minus the roughness; only if the capture's Specular is on
 // and a depth texture, of the format of the frame's target framebuffer.
 
-#ifndef vtkIndirectGeometryBuffer_h
-#define vtkIndirectGeometryBuffer_h
+#pragma once
 
 #include "Capture/vtkIndirectGeometryChannels.h" // for its channels
 #include "OpenGL/vtkIndirectResource.h"          // for a base class
@@ -92,5 +91,3 @@ private:
   int NumberOfRenderedProps = 0;
   int NumberOfChannels = 2; // channels of the table in use, from the first on
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The channels of the geometry buffer, shared by its owner and the pass that draws into it.
-#ifndef vtkIndirectGeometryChannels_h
-#define vtkIndirectGeometryChannels_h
+#pragma once
 
 class vtkOpenGLState;
 
@@ -24,5 +23,3 @@ struct vtkIndirectGeometryChannels
    */
   static void DisableBlending(vtkOpenGLState* state, int channels);
 };
-
-#endif

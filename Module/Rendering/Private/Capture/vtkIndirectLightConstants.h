@@ -3,8 +3,7 @@
 // processor without branches evaluates every cone and power of VTK's light code at every pixel,
 // even if no light or material needs it: with one light and no specular material, a quarter of an
 // opaque pixel's time.
-#ifndef vtkIndirectLightConstants_h
-#define vtkIndirectLightConstants_h
+#pragma once
 
 #include <string>
 #include <vector>
@@ -60,5 +59,3 @@ private:
   std::vector<Group> Groups;
   bool Specular = true;
 };
-
-#endif

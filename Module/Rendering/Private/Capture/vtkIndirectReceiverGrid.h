@@ -2,8 +2,7 @@
 // Samples of light at every few pixels of a frame, from border to border, which other pixels
 // interpolate where they lie on the same surface (glsl/Capture/vtkIndirectReceiverGrid.glsl). The
 // last samples lie on the border and may be closer together.
-#ifndef vtkIndirectReceiverGrid_h
-#define vtkIndirectReceiverGrid_h
+#pragma once
 
 #include "OpenGL/vtkIndirectTarget.h" // for the base class
 
@@ -42,5 +41,3 @@ public:
 private:
   int Step = 1;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Description of lights' maps for the capture, which draws into them and looks shadows up in them,
 // without access to the maps' owner.
-#ifndef vtkIndirectShadowMaps_h
-#define vtkIndirectShadowMaps_h
+#pragma once
 
 #include <glm/glm.hpp> // for the transformation
 #include <vector>      // for the maps
@@ -54,5 +53,3 @@ struct vtkIndirectShadowMaps
   int TileUnit = -1; // texture unit of their depths
   ///@}
 };
-
-#endif

@@ -23,8 +23,7 @@
  * @sa vtkIndirectGeometryBuffer vtkReflectiveShadowMapPass
  */
 
-#ifndef vtkSurfaceCapturePass_h
-#define vtkSurfaceCapturePass_h
+#pragma once
 
 #include "vtkOpenGLRenderPass.h"
 
@@ -154,5 +153,3 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
-
-#endif

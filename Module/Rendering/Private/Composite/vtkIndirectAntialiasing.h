@@ -7,8 +7,7 @@
 // found in words of 32 bits, and areas are computed rather than looked up. Pixels without an edge,
 // and depth, are not written.
 
-#ifndef vtkIndirectAntialiasing_h
-#define vtkIndirectAntialiasing_h
+#pragma once
 
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include <memory>                       // for the internals
@@ -36,5 +35,3 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
-
-#endif

@@ -12,8 +12,7 @@
 // (reflectance, and in a fourth component the power of the lobe, for VTK's PBR minus its roughness;
 // zero if no specular reflection is computed).
 
-#ifndef vtkIndirectComposite_h
-#define vtkIndirectComposite_h
+#pragma once
 
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkIndent.h"                  // for printing
@@ -86,5 +85,3 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
-
-#endif

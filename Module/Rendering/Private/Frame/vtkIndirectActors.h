@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The actors that a prop draws (the prop itself, or the parts of an assembly), and the blocks of
 // data that a mapper draws.
-#ifndef vtkIndirectActors_h
-#define vtkIndirectActors_h
+#pragma once
 
 #include "vtkCompositeDataIterator.h" // for blocks
 #include "vtkCompositeDataSet.h"      // for blocks
@@ -46,4 +45,3 @@ void ForEachBlock(vtkDataObject* object, const Call& call)
   }
 }
 }
-#endif

@@ -2,8 +2,7 @@
 // The bounds within which props may move. Scene units and the fits of all maps follow from them.
 // Otherwise a prop that moves at the border of the scene would change them in every frame, and with
 // them all kept results. The wide bounds of a scene that has not moved are its bounds.
-#ifndef vtkIndirectCasterBounds_h
-#define vtkIndirectCasterBounds_h
+#pragma once
 
 #include <array>         // for boxes
 #include <unordered_map> // for boxes by prop
@@ -37,5 +36,3 @@ private:
   std::unordered_map<vtkProp*, Box> Boxes;
   std::vector<Box> Before; // bounds in the last frame
 };
-
-#endif

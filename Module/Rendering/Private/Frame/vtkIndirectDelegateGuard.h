@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Remembers a refused delegate, one whose picture gives no surfaces, until it changes. Also
 // remembers whether a delegate is drawing.
-#ifndef vtkIndirectDelegateGuard_h
-#define vtkIndirectDelegateGuard_h
+#pragma once
 
 #include "vtkRenderPass.h"
 #include "vtkWeakPointer.h"
@@ -38,5 +37,3 @@ private:
   vtkMTimeType Time = 0;
   bool Drawing = false;
 };
-
-#endif

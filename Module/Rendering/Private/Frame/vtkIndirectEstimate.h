@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The input of a sum of light in a frame, and its contribution to the picture.
-#ifndef vtkIndirectEstimate_h
-#define vtkIndirectEstimate_h
+#pragma once
 
 #include "vtkSmartPointer.h" // for lights
 
@@ -101,5 +100,3 @@ struct vtkIndirectEstimate
    */
   double Error = -1.0;
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Uniforms that every stage with an eye needs.
-#ifndef vtkIndirectEyeUniforms_h
-#define vtkIndirectEyeUniforms_h
+#pragma once
 
 #include "OpenGL/vtkIndirectUniforms.h"
 
@@ -15,5 +14,3 @@ inline void vtkIndirectSetEyeUniforms(vtkShaderProgram* program, const vtkIndire
   vtkIndirectSetUniform(program, "vtkiViewToScene", glm::mat4(frame.ViewToScene));
   program->SetUniform2i("vtkiSize", frame.Size);
 }
-
-#endif

@@ -4,8 +4,7 @@
 // Scene units: positions are relative to the centre of the scene's bounds and divided by their
 // diagonal, so that shaders see numbers of order one whether the scene measures a nanometre or lies
 // a million metres from the origin. The transforms are made in double precision here.
-#ifndef vtkIndirectFrame_h
-#define vtkIndirectFrame_h
+#pragma once
 
 #include "vtkType.h" // for numbers
 
@@ -196,5 +195,3 @@ private:
   void CollectLights();
   void SetUpEye();
 };
-
-#endif

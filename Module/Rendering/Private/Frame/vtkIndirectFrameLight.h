@@ -2,8 +2,7 @@
 // One kind of light that the frame adds to VTK's own shading: bounces, the sky, area lights. The
 // pipeline treats all kinds alike: it compares the key of their inputs, lets them ask for depth
 // maps, and hands their contributions to the composite.
-#ifndef vtkIndirectFrameLight_h
-#define vtkIndirectFrameLight_h
+#pragma once
 
 #include "Frame/vtkIndirectEstimate.h"  // for inputs and results
 #include "OpenGL/vtkIndirectResource.h" // for the base class
@@ -48,5 +47,3 @@ public:
   /** Adds a frame with this light to the report. */
   virtual void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const = 0;
 };
-
-#endif

@@ -3,8 +3,7 @@
 // vtkProp::SetPropertyKeys and set what the prop takes part in; those of a light are in the light's
 // information and vanish with the light. Users reach them by static methods of
 // vtkIndirectIlluminationPass, which document them.
-#ifndef vtkIndirectInformationKeys_h
-#define vtkIndirectInformationKeys_h
+#pragma once
 
 class vtkInformationDoubleKey;
 class vtkInformationIntegerKey;
@@ -28,5 +27,3 @@ double Get(vtkLight* light, vtkInformationDoubleKey* key);
 /** Sets a key's value, clamped to [0, most]; a value that is not a number becomes 0. */
 void Set(vtkLight* light, vtkInformationDoubleKey* key, double value, double most);
 }
-
-#endif

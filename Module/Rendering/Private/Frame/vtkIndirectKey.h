@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The inputs that a kept result was computed from, by name. A stage computes its result again when
 // the key of its inputs differs from the key of the result; the names tell which input changed.
-#ifndef vtkIndirectKey_h
-#define vtkIndirectKey_h
+#pragma once
 
 #include "vtkType.h" // for numbers
 
@@ -64,5 +63,3 @@ private:
   std::vector<Part> Parts;
   std::vector<vtkTypeUInt64> Bits;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Replaces the lights of a renderer during the object's lifetime, without events and modification
 // times. The renderer's own collection stays unchanged.
-#ifndef vtkIndirectLightScope_h
-#define vtkIndirectLightScope_h
+#pragma once
 
 #include "Frame/vtkIndirectRendererAccess.h"
 #include "vtkLightCollection.h"
@@ -53,5 +52,3 @@ private:
   vtkRenderer* Renderer;
   vtkLightCollection* Replaced = nullptr;
 };
-
-#endif

@@ -7,8 +7,7 @@
 // scalars' colours (also where VTK interpolates scalars before it maps them), blocks of composite
 // mappers, textures, and for PBR the textures of base colour and of metal. An unlit surface has no
 // albedo.
-#ifndef vtkIndirectMaterial_h
-#define vtkIndirectMaterial_h
+#pragma once
 
 #include "Frame/vtkIndirectMaterialImage.h" // for members
 
@@ -110,4 +109,3 @@ private:
   bool ImagesOnBack = true;
   std::string LeftOut;
 };
-#endif

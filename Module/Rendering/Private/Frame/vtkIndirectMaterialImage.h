@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The image of a texture as OpenGL has it, for the processor: linear where VTK declares it sRGB.
-#ifndef vtkIndirectMaterialImage_h
-#define vtkIndirectMaterialImage_h
+#pragma once
 
 #include "vtkType.h" // for numbers
 
@@ -36,4 +35,3 @@ private:
   bool Different = false;
   glm::dvec3 Mean{ 1.0 };
 };
-#endif

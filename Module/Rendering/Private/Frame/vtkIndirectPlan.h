@@ -3,8 +3,7 @@
 // before anything is drawn, from the facts of the scene, the user's settings and the estimator's
 // abilities. It holds no OpenGL and no VTK objects. Stages read it and make no such decisions
 // themselves.
-#ifndef vtkIndirectPlan_h
-#define vtkIndirectPlan_h
+#pragma once
 
 #include "Frame/vtkIndirectKey.h" // for keys
 #include "vtkIndirectSettings.h"  // for the user's settings
@@ -244,5 +243,3 @@ private:
   void LeaveOut(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
     const vtkIndirectCircumstances& circumstances);
 };
-
-#endif

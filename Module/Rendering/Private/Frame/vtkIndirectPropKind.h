@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How VTK draws the opaque geometry of a prop, as far as indirect light is concerned.
-#ifndef vtkIndirectPropKind_h
-#define vtkIndirectPropKind_h
+#pragma once
 
 #include <string> // for descriptions
 
@@ -59,5 +58,3 @@ struct vtkIndirectPropKind
    */
   static vtkActor* FindRefractor(vtkProp* prop);
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Access to members of a renderer while a stage draws, without the events and modification times of
 // their setters.
-#ifndef vtkIndirectRendererAccess_h
-#define vtkIndirectRendererAccess_h
+#pragma once
 
 #include "vtkRenderer.h"
 
@@ -25,5 +24,3 @@ public:
     return renderer->*(&vtkIndirectRendererAccess::Erase);
   }
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report of a frame: its methods, numbers and times, as JSON.
-#ifndef vtkIndirectReport_h
-#define vtkIndirectReport_h
+#pragma once
 
 #include "Frame/vtkIndirectSettingList.h" // for settings
 
@@ -58,5 +57,3 @@ struct vtkIndirectReport
    */
   static std::string Number(double value, int digits = 0);
 };
-
-#endif

@@ -5,8 +5,7 @@
 // images of textures and their pipelines, levels of detail, sources of glyphs, uniforms of its
 // shaders. The newest time of several objects also hides that one has gone, or has been replaced by
 // an older one.
-#ifndef vtkIndirectRevision_h
-#define vtkIndirectRevision_h
+#pragma once
 
 #include "vtkType.h" // for numbers
 
@@ -51,5 +50,3 @@ private:
   void AddProp(vtkProp* prop, bool whole);
   vtkTypeUInt64 Get() const { return this->Number >> 12; }
 };
-
-#endif

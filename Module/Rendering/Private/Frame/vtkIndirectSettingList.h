@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The settings of an object, in order, by the names of its properties. PrintSelf prints a list of
 // the values that are set, and the report has one of the values in force.
-#ifndef vtkIndirectSettingList_h
-#define vtkIndirectSettingList_h
+#pragma once
 
 #include "vtkIOStream.h" // for printing
 #include "vtkIndent.h"   // for printing
@@ -36,5 +35,3 @@ public:
 private:
   std::vector<std::pair<std::string, Value>> Entries;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Times of a frame's stages: by wall clock, and by the GPU's own clock if OpenGL has timer queries.
 // Mesa's llvmpipe starts that clock with a stage's first pixel: vertices are left out.
-#ifndef vtkIndirectStageTimer_h
-#define vtkIndirectStageTimer_h
+#pragma once
 
 #include "vtkOpenGLRenderWindow.h" // for the weak pointer
 #include "vtkWeakPointer.h"        // for members
@@ -102,5 +101,3 @@ private:
   size_t NumberOfUsedQueries = 0;
   std::vector<Interval> Intervals;
 };
-
-#endif

@@ -6,8 +6,7 @@
 // PreserveDepthBuffer, translucent props with UseDepthPeeling and UseDepthPeelingForVolumes,
 // UseFXAA (vtkIndirectView); UseImageBasedLighting (vtkIndirectImageLight). VTK's mappers light
 // both sides of a surface, whatever TwoSidedLighting is.
-#ifndef vtkIndirectSwitches_h
-#define vtkIndirectSwitches_h
+#pragma once
 
 #include <set>     // for warnings that were given
 #include <string>  // for reasons
@@ -47,5 +46,3 @@ private:
   Entries LeftOut;
   std::set<std::string> Said;
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The work of a renderer without a pass before and after it draws its opaque props.
-#ifndef vtkIndirectView_h
-#define vtkIndirectView_h
+#pragma once
 
 #include "vtkNew.h"          // for members
 #include "vtkSmartPointer.h" // for members
@@ -50,5 +49,3 @@ private:
   vtkNew<vtkLightsPass> Lights;
   vtkSmartPointer<vtkOpenGLFXAAFilter> FXAA;
 };
-
-#endif

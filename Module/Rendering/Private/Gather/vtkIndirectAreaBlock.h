@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A uniform block with area lights and points of them for shaders (vtkIndirectAreaLamps.glsl).
-#ifndef vtkIndirectAreaBlock_h
-#define vtkIndirectAreaBlock_h
+#pragma once
 
 #include "OpenGL/vtkIndirectResource.h"     // for the base class
 #include "OpenGL/vtkIndirectUniformBlock.h" // for a member
@@ -30,5 +29,3 @@ private:
   size_t Points;
   vtkIndirectUniformBlock Block{ this, "vtkiAreaBlock" };
 };
-
-#endif

@@ -4,8 +4,7 @@
 // share of the light. This share is a ratio of two sums over points of the light, each with a depth
 // map of its own: for a fully visible light it is one, without noise. Still frames sum at every
 // pixel (vtkIndirectAreaRounds), moving ones at samples (vtkIndirectAreaSamples).
-#ifndef vtkIndirectAreaGather_h
-#define vtkIndirectAreaGather_h
+#pragma once
 
 #include "Frame/vtkIndirectFrameLight.h"         // for the base class
 #include "Gather/vtkIndirectAreaLamps.h"         // for a member
@@ -52,5 +51,3 @@ private:
   bool Specular = false; // some receivers are specular
   vtkIndirectTarget Irradiance;
 };
-
-#endif

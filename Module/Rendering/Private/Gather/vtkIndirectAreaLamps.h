@@ -3,8 +3,7 @@
 // radiances, the points whose depth maps tell what hides them, and their images in one texture.
 //
 // Points stay in place on the rectangle while its image changes, and so do their maps.
-#ifndef vtkIndirectAreaLamps_h
-#define vtkIndirectAreaLamps_h
+#pragma once
 
 #include "Gather/vtkIndirectAreaPyramid.h"      // for members
 #include "OpenGL/vtkIndirectResource.h"         // for the base class
@@ -85,5 +84,3 @@ private:
   int Width = 0; // width of the texture
   int Height = 0;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light of area lights that receivers reflect in their specular lobes, at every specular pixel.
 // It is not summed in a scene without specular receivers.
-#ifndef vtkIndirectAreaLobes_h
-#define vtkIndirectAreaLobes_h
+#pragma once
 
 #include "Gather/vtkIndirectAreaLamps.h"         // for lamps
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
@@ -47,5 +46,3 @@ private:
   vtkIndirectTarget Tables;                // transforms, integrals
   vtkIndirectTarget Reflected;
 };
-
-#endif

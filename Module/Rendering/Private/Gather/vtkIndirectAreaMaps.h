@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth maps of points of area lights, which tell what hides these points. A map shows only the
 // casters that can hide its point. It is drawn again when these casters, or the light, have moved.
-#ifndef vtkIndirectAreaMaps_h
-#define vtkIndirectAreaMaps_h
+#pragma once
 
 #include "Gather/vtkIndirectAreaLamps.h"        // for points
 #include "OpenGL/vtkIndirectResource.h"         // for the base class
@@ -78,5 +77,3 @@ private:
   int Round = -1;
   std::vector<vtkIndirectDepthMaps::Map> Maps;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A pyramid of a rectangle's radiance, in halves, quarters and so on. vtkIndirectAreaImage.glsl
 // descends it.
-#ifndef vtkIndirectAreaPyramid_h
-#define vtkIndirectAreaPyramid_h
+#pragma once
 
 #include <glm/glm.hpp> // for colours
 #include <vector>      // for levels
@@ -40,5 +39,3 @@ private:
   // finest level.
   std::vector<std::vector<glm::vec4>> Levels;
 };
-
-#endif

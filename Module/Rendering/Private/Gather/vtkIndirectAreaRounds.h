@@ -2,8 +2,7 @@
 // The visible share of area lights in still frames: a ratio of two sums over points of the lights,
 // each with a depth map of its own. The points of the first round are those of moving frames.
 // Further frames of the same view add further rounds, whose maps are not kept.
-#ifndef vtkIndirectAreaRounds_h
-#define vtkIndirectAreaRounds_h
+#pragma once
 
 #include "Gather/vtkIndirectAreaBlock.h"         // for a member
 #include "Gather/vtkIndirectAreaMaps.h"          // for a member
@@ -64,5 +63,3 @@ private:
   vtkIndirectFullScreenProgram ShareKernel{ this, "vtkIndirectAreaShareFS.glsl" };
   vtkIndirectFullScreenProgram ProductKernel{ this, "vtkIndirectAreaProductFS.glsl" };
 };
-
-#endif

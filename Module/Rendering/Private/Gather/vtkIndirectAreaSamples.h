@@ -5,8 +5,7 @@
 // pixels of each block of 4 x 4 share among them.
 //
 // Limits: edges of shadows finer than four pixels are lost; steps between the 16 points show.
-#ifndef vtkIndirectAreaSamples_h
-#define vtkIndirectAreaSamples_h
+#pragma once
 
 #include "Capture/vtkIndirectReceiverGrid.h"     // for members
 #include "Gather/vtkIndirectAreaBlock.h"         // for a member
@@ -69,5 +68,3 @@ private:
   vtkIndirectFullScreenProgram SampleKernel{ this, "vtkIndirectAreaSamplesFS.glsl" };
   vtkIndirectFullScreenProgram SumKernel{ this, "vtkIndirectAreaSumFS.glsl" };
 };
-
-#endif

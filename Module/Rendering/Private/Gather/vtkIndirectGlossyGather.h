@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Indirect light in receivers' specular lobes, summed over the senders at every specular pixel.
-#ifndef vtkIndirectGlossyGather_h
-#define vtkIndirectGlossyGather_h
+#pragma once
 
 #include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
@@ -34,5 +33,3 @@ private:
   vtkIndirectFullScreenProgram Neighbors{ this, "vtkIndirectGlossyFS.glsl",
     "vtkIndirectGatherNeighborhood.glsl" };
 };
-
-#endif

@@ -2,8 +2,7 @@
 // Adds the light of virtual lights' specular lobes to an estimator's result for their diffuse
 // light: at every pixel, or interpolated between samples where interpolation changes little. A
 // narrow lobe is summed at every pixel that it may reach, however coarse the diffuse light is.
-#ifndef vtkIndirectLobeGather_h
-#define vtkIndirectLobeGather_h
+#pragma once
 
 #include "Capture/vtkIndirectReceiverGrid.h"     // for a member
 #include "Frame/vtkIndirectEstimate.h"           // for the input
@@ -50,5 +49,3 @@ private:
   vtkIndirectFullScreenProgram AtPixels{ this, "vtkIndirectLobeFS.glsl" };
   vtkIndirectFullScreenProgram InGlossy{ this, "vtkIndirectLobeFS.glsl" };
 };
-
-#endif

@@ -3,8 +3,7 @@
 // frame are the first ones of a still frame, so that both use the same depth maps. A direction
 // represents the part of the sky that is nearer to it than to other summed directions. A direction
 // with much of all light, such as a sun's, is summed by itself, in the same way in both frames.
-#ifndef vtkIndirectSkyDirections_h
-#define vtkIndirectSkyDirections_h
+#pragma once
 
 #include "vtkType.h" // for times
 
@@ -100,5 +99,3 @@ private:
   int Count = 0;
   int Still = 0;
 };
-
-#endif

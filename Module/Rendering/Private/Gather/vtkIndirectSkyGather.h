@@ -18,8 +18,7 @@
 //
 // Limits: shadows between those of the directions are lost, as are surfaces finer than a tile's
 // texel (too dark in relief, too bright at contacts).
-#ifndef vtkIndirectSkyGather_h
-#define vtkIndirectSkyGather_h
+#pragma once
 
 #include "Frame/vtkIndirectFrameLight.h"         // for the base class
 #include "Frame/vtkIndirectKey.h"                // for keys
@@ -126,5 +125,3 @@ private:
   bool Visible = false;
   int Step = 1; // edge, in the last frame, of the blocks of pixels that share directions
 };
-
-#endif

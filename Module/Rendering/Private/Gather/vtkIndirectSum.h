@@ -2,8 +2,7 @@
 // An estimator as the pipeline sees it: geometry buffer, maps and virtual lights in, irradiance
 // out. A vtkIndirectEstimatorPass holds the user's settings and an object of this class, which sums
 // the light.
-#ifndef vtkIndirectSum_h
-#define vtkIndirectSum_h
+#pragma once
 
 #include "Frame/vtkIndirectEstimate.h"        // for results
 #include "Frame/vtkIndirectPlan.h"            // for abilities
@@ -126,5 +125,3 @@ private:
   vtkTimeStamp EstimateTime;
   vtkMTimeType User = 0;
 };
-
-#endif

@@ -4,8 +4,7 @@
 //
 // They are not props, and the camera's clipping range is not fitted to them: beyond its planes they
 // are drawn nevertheless, in front of or behind everything else.
-#ifndef vtkIndirectVisibleLamps_h
-#define vtkIndirectVisibleLamps_h
+#pragma once
 
 #include "OpenGL/vtkIndirectPointProgram.h" // for members
 #include "OpenGL/vtkIndirectResource.h"     // for the base class
@@ -55,5 +54,3 @@ private:
     { this, "vtkIndirectLampVS.glsl", "vtkIndirectLampFS.glsl" } }; // for one radiance, for images
   std::map<vtkSmartPointer<vtkAreaLight>, Picture> Pictures;
 };
-
-#endif

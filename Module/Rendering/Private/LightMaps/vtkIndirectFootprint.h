@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The footprint of a box in an image that is drawn from an emitter, to tell whether any of the box
 // can be there.
-#ifndef vtkIndirectFootprint_h
-#define vtkIndirectFootprint_h
+#pragma once
 
 #include <glm/glm.hpp> // for corners
 #include <limits>      // for empty footprints
@@ -59,5 +58,3 @@ private:
   glm::dvec2 Lower{ std::numeric_limits<double>::infinity() };
   glm::dvec2 Upper{ -std::numeric_limits<double>::infinity() };
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Geometry of a light's map: its projection, its faces and the cameras that draw them.
-#ifndef vtkIndirectLightMap_h
-#define vtkIndirectLightMap_h
+#pragma once
 
 #include "Capture/vtkIndirectShadowMaps.h" // for views and shadow maps
 #include "Frame/vtkIndirectFrame.h"        // for the light
@@ -82,5 +81,3 @@ private:
   glm::dmat3 GetFaceRotation(int face) const; // light frame to face
   std::array<vtkSmartPointer<vtkOpenGLCamera>, 6> Cameras;
 };
-
-#endif

@@ -4,8 +4,7 @@
 //
 // A face is drawn again only when the light's place, anything that the face can see or the
 // resolution has changed. A light's strength, falloff and exponent redraw nothing.
-#ifndef vtkIndirectLightMaps_h
-#define vtkIndirectLightMaps_h
+#pragma once
 
 #include "Frame/vtkIndirectKey.h"            // for keys
 #include "LightMaps/vtkIndirectLightMap.h"   // for members
@@ -110,5 +109,3 @@ private:
   vtkIndirectDataTexture FresnelTexture{ this }; // empty unless senders have lobes
   vtkSmartPointer<vtkIndirectContextGuard> Guard;
 };
-
-#endif

@@ -2,13 +2,10 @@
 // Linearly transformed cosines for the specular lobe of VTK's PBR: roughness, view, entry. The data
 // file holds a roughness per line; Testing/Reference/fit_lobes.py writes it and explains the
 // numbers.
-#ifndef vtkIndirectLobeTable_h
-#define vtkIndirectLobeTable_h
+#pragma once
 
 constexpr int vtkIndirectLobeEntries = 24;
 constexpr float vtkIndirectLeastRoughness = 0.06f;
 constexpr float vtkIndirectLobeTable[vtkIndirectLobeEntries][vtkIndirectLobeEntries][6] = {
 #include "LightMaps/vtkIndirectLobeTable.inl"
 };
-
-#endif

@@ -2,8 +2,7 @@
 // Depths of light maps in the form of shadow look-ups: a texel holds three neighbours of a row, and
 // the slope of the middle one's surface. Nine depths take three fetches; a fetch of four channels
 // costs little more than a fetch of one.
-#ifndef vtkIndirectShadowRows_h
-#define vtkIndirectShadowRows_h
+#pragma once
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
 #include "OpenGL/vtkIndirectResource.h"          // for the base class
@@ -47,5 +46,3 @@ private:
   vtkSmartPointer<vtkIndirectArrayTexture> Texture;
   vtkIndirectFullScreenProgram Kernel;
 };
-
-#endif

@@ -2,8 +2,7 @@
 // Lists of texels, each with the set of lights that it still has to resolve, in a storage buffer,
 // with the sizes of the indirect dispatches for them; see vtkIndirectGlossyStorage.glsl. Needs
 // OpenGL 4.3.
-#ifndef vtkIndirectGlossyLists_h
-#define vtkIndirectGlossyLists_h
+#pragma once
 
 #include "OpenGL/vtkIndirectCommandBuffer.h" // for a member
 #include "OpenGL/vtkIndirectResource.h"      // for the base class
@@ -48,5 +47,3 @@ private:
   int Words = 0; // words of a set
   std::vector<size_t> First;
 };
-
-#endif

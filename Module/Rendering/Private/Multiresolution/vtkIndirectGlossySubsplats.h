@@ -8,8 +8,7 @@
 // its coarse samples; otherwise the residual is added to the children's level. The picture of a
 // level is the interpolated picture of the level above plus its residuals, so lights that end on
 // different levels stay separate.
-#ifndef vtkIndirectGlossySubsplats_h
-#define vtkIndirectGlossySubsplats_h
+#pragma once
 
 #include "Multiresolution/vtkIndirectGlossyLists.h"     // for members
 #include "Multiresolution/vtkIndirectSubsplatPyramid.h" // for the pyramid
@@ -73,5 +72,3 @@ private:
     { this, "vtkIndirectGlossyCS.glsl" }, { this, "vtkIndirectGlossyCS.glsl" },
     { this, "vtkIndirectGlossyCS.glsl" } };
 };
-
-#endif

@@ -2,8 +2,7 @@
 // Settings made by the presets of vtkMultiresolutionSplattingPass: details of the method that users
 // rarely have a reason to change. Documentation/methods/multiresolution-splatting.md tells the
 // effect of each.
-#ifndef vtkIndirectSubsplatDetails_h
-#define vtkIndirectSubsplatDetails_h
+#pragma once
 
 #include "vtkMultiresolutionSplattingPass.h" // for Of
 
@@ -45,5 +44,3 @@ struct vtkIndirectSubsplatDetails
     return details;
   }
 };
-
-#endif

@@ -3,8 +3,7 @@
 // Wyman 2009, "Multiresolution splatting for indirect illumination", sections 3.4 and 3.5. Compute
 // shaders sum lights for lists of split texels, four leaves an invocation; without compute shaders
 // full-screen passes, one for each level, sum the lights of their leaves.
-#ifndef vtkIndirectSubsplatIllumination_h
-#define vtkIndirectSubsplatIllumination_h
+#pragma once
 
 #include "Multiresolution/vtkIndirectSubsplatPyramid.h" // for the pyramid
 #include "OpenGL/vtkIndirectComputeProgram.h"           // for members
@@ -67,5 +66,3 @@ private:
   vtkIndirectComputeProgram PixelBlocks[2] = { { this, "vtkIndirectSubsplatBlockCS.glsl" },
     { this, "vtkIndirectSubsplatBlockCS.glsl" } };
 };
-
-#endif

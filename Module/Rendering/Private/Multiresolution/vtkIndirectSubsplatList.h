@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists of split texels, one for each level, in a storage buffer, with the sizes of the indirect
 // dispatches for them; see vtkIndirectSubsplatStorage.glsl. Needs OpenGL 4.3.
-#ifndef vtkIndirectSubsplatList_h
-#define vtkIndirectSubsplatList_h
+#pragma once
 
 #include "OpenGL/vtkIndirectCommandBuffer.h" // for a member
 #include "OpenGL/vtkIndirectResource.h"      // for the base class
@@ -36,5 +35,3 @@ private:
   vtkIndirectCommandBuffer Buffer;
   std::vector<unsigned int> First; // begin of each list, in entries
 };
-
-#endif

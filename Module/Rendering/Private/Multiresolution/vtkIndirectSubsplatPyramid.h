@@ -4,8 +4,7 @@
 // illumination", sections 3.2 and 3.3.
 //
 // Level n has texels of 2^n pixels. The last level has no leaves: all of it is split.
-#ifndef vtkIndirectSubsplatPyramid_h
-#define vtkIndirectSubsplatPyramid_h
+#pragma once
 
 #include "Frame/vtkIndirectEstimate.h"                  // for the input
 #include "Multiresolution/vtkIndirectSubsplatDetails.h" // for settings
@@ -79,5 +78,3 @@ private:
   vtkIndirectFullScreenProgram BuildFinest{ this, "vtkIndirectSubsplatFirstFS.glsl" };
   vtkIndirectFullScreenProgram BuildCoarser{ this, "vtkIndirectSubsplatNextFS.glsl" };
 };
-
-#endif

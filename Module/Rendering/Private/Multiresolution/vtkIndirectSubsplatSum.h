@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of vtkMultiresolutionSplattingPass that sums the light: subsplats, and lists of them for
 // specular receivers.
-#ifndef vtkIndirectSubsplatSum_h
-#define vtkIndirectSubsplatSum_h
+#pragma once
 
 #include "Gather/vtkIndirectGlossyGather.h" // for members
 #include "Gather/vtkIndirectLobeGather.h"   // for members
@@ -63,5 +62,3 @@ private:
   bool GlossyIsListed = false;
   std::string WhyGlossyIsGathered;
 };
-
-#endif

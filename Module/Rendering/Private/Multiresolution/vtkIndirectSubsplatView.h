@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Debug views of multiresolution splatting: the paper's figures 3, 4 and 5 for any scene.
-#ifndef vtkIndirectSubsplatView_h
-#define vtkIndirectSubsplatView_h
+#pragma once
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectResource.h"          // for the base class
@@ -37,5 +36,3 @@ public:
 private:
   vtkIndirectFullScreenProgram View{ this, "vtkIndirectSubsplatViewFS.glsl" };
 };
-
-#endif

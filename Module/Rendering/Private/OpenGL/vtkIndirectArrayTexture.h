@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Adds two-dimensional arrays to VTK 9.1's texture object, which does binding, parameters and
 // release.
-#ifndef vtkIndirectArrayTexture_h
-#define vtkIndirectArrayTexture_h
+#pragma once
 
 #include "vtkTextureObject.h"
 
@@ -26,5 +25,3 @@ private:
   vtkIndirectArrayTexture(const vtkIndirectArrayTexture&) = delete;
   void operator=(const vtkIndirectArrayTexture&) = delete;
 };
-
-#endif

@@ -2,8 +2,7 @@
 // Choices between equivalent implementations, which depend on the OpenGL. Each choice has a default
 // for the current OpenGL, and the environment can force a value by its name, for comparisons on any
 // card: VTK_INDIRECT_PATHS="compute=off,uniforms=plain".
-#ifndef vtkIndirectBackEndChoices_h
-#define vtkIndirectBackEndChoices_h
+#pragma once
 
 #include <string>  // for names
 #include <utility> // for pairs
@@ -55,5 +54,3 @@ std::vector<std::pair<std::string, std::string>> GetAll();
 /** Each name with its values, independent of this OpenGL. */
 std::vector<std::pair<std::string, std::vector<std::string>>> List();
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Description of a stage's textures, declared once: these tables give texture formats, uniform
 // names, PrintSelf and the documentation.
-#ifndef vtkIndirectChannel_h
-#define vtkIndirectChannel_h
+#pragma once
 
 #include "vtkIndent.h" // for printing
 
@@ -29,5 +28,3 @@ inline void vtkIndirectPrintChannels(
     os << indent << c.Name << ": " << c.Meaning << " (" << c.Space << ", " << c.Unit << ")\n";
   }
 }
-
-#endif

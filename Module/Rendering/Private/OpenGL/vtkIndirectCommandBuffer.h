@@ -2,8 +2,7 @@
 // A storage buffer of lists that shaders append to: first a command for each list, then their
 // entries. A command is three numbers of groups, as an indirect dispatch reads them, and the number
 // of entries.
-#ifndef vtkIndirectCommandBuffer_h
-#define vtkIndirectCommandBuffer_h
+#pragma once
 
 #include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
@@ -53,5 +52,3 @@ private:
   unsigned int Handle = 0;
   size_t Bytes = 0;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A compute program made from an embedded stage file. VTK 9.1 has no compute shaders; for setting
 // uniforms this is an ordinary vtkShaderProgram.
-#ifndef vtkIndirectComputeProgram_h
-#define vtkIndirectComputeProgram_h
+#pragma once
 
 #include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
@@ -58,5 +57,3 @@ private:
   vtkSmartPointer<Program> Built;
   std::vector<unsigned int> Units; // units of images that are bound
 };
-
-#endif

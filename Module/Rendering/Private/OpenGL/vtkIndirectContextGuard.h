@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reports the end of the OpenGL context in which its owner has made objects.
-#ifndef vtkIndirectContextGuard_h
-#define vtkIndirectContextGuard_h
+#pragma once
 
 #include "vtkObjectFactory.h"      // for the macro
 #include "vtkOpenGLRenderWindow.h" // for comparisons
@@ -47,5 +46,3 @@ private:
   vtkIndirectContextGuard(const vtkIndirectContextGuard&) = delete;
   void operator=(const vtkIndirectContextGuard&) = delete;
 };
-
-#endif

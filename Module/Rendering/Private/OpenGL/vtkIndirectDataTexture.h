@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A texture of data that the processor has made.
-#ifndef vtkIndirectDataTexture_h
-#define vtkIndirectDataTexture_h
+#pragma once
 
 #include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
@@ -50,5 +49,3 @@ private:
   vtkSmartPointer<vtkTextureObject> Texture;
   size_t Bytes = 0;
 };
-
-#endif

@@ -3,8 +3,7 @@
 // processor (Mesa's llvmpipe) reads every component of a uniform separately for each of eight
 // pixels, with bounds check, at every use: 4 ns for eight pixels, half a texel. A flat varying is
 // one load, at the cost of its vertices and 10 ns for each triangle and four components.
-#ifndef vtkIndirectFlatUniforms_h
-#define vtkIndirectFlatUniforms_h
+#pragma once
 
 #include <string>
 
@@ -19,5 +18,3 @@ namespace vtkIndirectFlatUniforms
  */
 void Move(std::string& vertexShader, std::string& fragmentShader, int maximum);
 }
-
-#endif

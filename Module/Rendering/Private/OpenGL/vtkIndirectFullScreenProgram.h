@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A full-screen program whose fragment shader is an embedded stage file.
-#ifndef vtkIndirectFullScreenProgram_h
-#define vtkIndirectFullScreenProgram_h
+#pragma once
 
 #include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
@@ -66,5 +65,3 @@ private:
   std::string Definitions;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
 };
-
-#endif

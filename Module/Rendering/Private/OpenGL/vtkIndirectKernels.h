@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The kernels of glsl/lib as C++, through GLM: the GPU's source code on the CPU.
-#ifndef vtkIndirectKernels_h
-#define vtkIndirectKernels_h
+#pragma once
 
 #include <glm/glm.hpp> // for vectors and matrices
 
@@ -82,5 +81,3 @@ namespace
 #endif
 // clang-format on
 }
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A framebuffer over square two-dimensional array textures, one layer a map.
-#ifndef vtkIndirectLayeredTarget_h
-#define vtkIndirectLayeredTarget_h
+#pragma once
 
 #include "OpenGL/vtkIndirectChannel.h"  // for the table
 #include "OpenGL/vtkIndirectProgram.h"  // for programs
@@ -63,5 +62,3 @@ private:
   vtkSmartPointer<vtkIndirectArrayTexture> Depth;
   std::vector<vtkSmartPointer<vtkIndirectArrayTexture>> Textures;
 };
-
-#endif

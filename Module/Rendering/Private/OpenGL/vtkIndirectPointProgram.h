@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A program of a vertex and a fragment stage file. It draws points, or a rectangle of four, which
 // its vertex shader makes from their numbers, or what its user draws.
-#ifndef vtkIndirectPointProgram_h
-#define vtkIndirectPointProgram_h
+#pragma once
 
 #include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
@@ -47,5 +46,3 @@ private:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   unsigned int VertexArray = 0; // core profiles draw nothing without one
 };
-
-#endif

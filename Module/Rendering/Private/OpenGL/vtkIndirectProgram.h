@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A shader program in use, with the textures that are bound for it. They are unbound, and their
 // texture units free, when this object ends or takes another program.
-#ifndef vtkIndirectProgram_h
-#define vtkIndirectProgram_h
+#pragma once
 
 #include "vtkSmartPointer.h"  // for textures
 #include "vtkTextureObject.h" // for textures
@@ -36,5 +35,3 @@ private:
   vtkShaderProgram* Program = nullptr;
   mutable std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
 };
-
-#endif

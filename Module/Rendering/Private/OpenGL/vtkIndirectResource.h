@@ -2,8 +2,7 @@
 // A part of a tree of graphics resources. A stage derives from this class, and its members that
 // hold graphics resources name the stage as their owner. One call then releases, or counts, the
 // resources of the stage and of all its members.
-#ifndef vtkIndirectResource_h
-#define vtkIndirectResource_h
+#pragma once
 
 #include <cstddef> // for size_t
 #include <vector>  // for the parts
@@ -36,5 +35,3 @@ private:
   vtkIndirectResource* Owner;
   std::vector<vtkIndirectResource*> Parts;
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Complete shader texts from the embedded files.
-#ifndef vtkIndirectShaderLibrary_h
-#define vtkIndirectShaderLibrary_h
+#pragma once
 
 #include <string> // for texts
 
@@ -29,5 +28,3 @@ std::string GetShader(const std::string& fileName, const std::string& definition
 /** MD5 of all shader text, which lets figures be traced to their shaders. */
 std::string GetHash();
 }
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The embedded shader files; filled by CMake/vtkIndirectShaders.cmake.
-#ifndef vtkIndirectShaderTable_h
-#define vtkIndirectShaderTable_h
+#pragma once
 
 struct vtkIndirectShaderTableEntry
 {
@@ -11,5 +10,3 @@ struct vtkIndirectShaderTableEntry
 
 extern const vtkIndirectShaderTableEntry vtkIndirectShaderTable[];
 extern const char* const vtkIndirectShaderTableHash; // MD5 of all shader text
-
-#endif

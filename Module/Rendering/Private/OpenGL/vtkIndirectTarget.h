@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A framebuffer with the textures of a channel table, owned by the stage that writes it.
-#ifndef vtkIndirectTarget_h
-#define vtkIndirectTarget_h
+#pragma once
 
 #include "OpenGL/vtkIndirectChannel.h"  // for the table
 #include "OpenGL/vtkIndirectProgram.h"  // for programs
@@ -121,5 +120,3 @@ private:
   std::vector<vtkSmartPointer<vtkTextureObject>> Textures;
   vtkSmartPointer<vtkTextureObject> Depth;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A uniform block filled from main memory. OpenGL guarantees 16384 bytes; llvmpipe reads a block
 // once for a group of fragments, and plain uniforms once for each fragment.
-#ifndef vtkIndirectUniformBlock_h
-#define vtkIndirectUniformBlock_h
+#pragma once
 
 #include "OpenGL/vtkIndirectProgram.h"  // for programs
 #include "OpenGL/vtkIndirectResource.h" // for the base class
@@ -40,5 +39,3 @@ private:
   unsigned int Buffer = 0;
   size_t Bytes = 0;
 };
-
-#endif

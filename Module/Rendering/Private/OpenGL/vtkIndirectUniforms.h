@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Uniforms from GLM types, and the OpenGL state of a full-screen program.
-#ifndef vtkIndirectUniforms_h
-#define vtkIndirectUniforms_h
+#pragma once
 
 #include "OpenGL/vtkIndirectGL.h"
 
@@ -86,5 +85,3 @@ private:
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light that surfaces reflect: virtual lights of the frame's samplers, their visibility, and
 // the estimator that sums them.
-#ifndef vtkIndirectBounceLight_h
-#define vtkIndirectBounceLight_h
+#pragma once
 
 #include "Pipeline/vtkIndirectEstimatorLight.h" // for the base class
 #include "Pipeline/vtkIndirectSphereBlockers.h" // for a member
@@ -49,5 +48,3 @@ private:
   vtkIndirectSurfaces Surfaces;            // for samplers and visibility
   vtkVirtualLightSampler* Users = nullptr; // valid while a frame is drawn
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Light of a frame that an estimator computes. Another pass may use the estimator, or delete it,
 // between frames: the result is current until then.
-#ifndef vtkIndirectEstimatorLight_h
-#define vtkIndirectEstimatorLight_h
+#pragma once
 
 #include "Frame/vtkIndirectFrameLight.h" // for the base class
 #include "vtkIndirectEstimatorPass.h"    // for a member
@@ -30,5 +29,3 @@ protected:
 private:
   vtkMTimeType EstimateTime = 0; // time of the estimator, after the last sum
 };
-
-#endif

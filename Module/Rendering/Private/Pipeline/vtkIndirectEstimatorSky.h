@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light from the sky if an estimator computes it, without depth maps: the frame's own
 // estimator, or spheres that represent moving props beside it.
-#ifndef vtkIndirectEstimatorSky_h
-#define vtkIndirectEstimatorSky_h
+#pragma once
 
 #include "Pipeline/vtkIndirectEstimatorLight.h" // for the base class
 
@@ -22,5 +21,3 @@ public:
 private:
   bool Alone = false;
 };
-
-#endif

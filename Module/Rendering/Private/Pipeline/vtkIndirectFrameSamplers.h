@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The sources of a frame's virtual lights: the samplers that its plan needs, which belong to the
 // pipeline or to the user, and the lights of all of them.
-#ifndef vtkIndirectFrameSamplers_h
-#define vtkIndirectFrameSamplers_h
+#pragma once
 
 #include "Frame/vtkIndirectKey.h"                      // for keys
 #include "OpenGL/vtkIndirectResource.h"                // for the base class
@@ -103,5 +102,3 @@ private:
   bool SendersAreWalked = false; // later bounces are among the sources of the sampler's lights
   vtkIndirectVirtualLights Lights{ this };
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The texture that a renderer lights physically based props with, as an environment light.
-#ifndef vtkIndirectImageLight_h
-#define vtkIndirectImageLight_h
+#pragma once
 
 #include "vtkEnvironmentLight.h" // for a member
 #include "vtkNew.h"              // for a member
@@ -17,5 +16,3 @@ public:
 private:
   vtkNew<vtkEnvironmentLight> Light;
 };
-
-#endif

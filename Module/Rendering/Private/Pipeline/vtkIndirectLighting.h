@@ -2,8 +2,7 @@
 // The lights of a frame with a preset: lights that replace the renderer's own, and a sky, made from
 // the preset, the camera and the renderer's lights. A camera that turns changes the sky's
 // orientation alone.
-#ifndef vtkIndirectLighting_h
-#define vtkIndirectLighting_h
+#pragma once
 
 #include "Frame/vtkIndirectKey.h"                  // for keys
 #include "VirtualLights/vtkIndirectPresetLights.h" // for members
@@ -56,5 +55,3 @@ private:
   vtkNew<vtkLightCollection> Lights;
   std::vector<glm::dvec3> Directions; // directions to the lights, in the camera's axes
 };
-
-#endif

@@ -2,8 +2,7 @@
 // The stages of a frame and their order: facts and plan, the lights' maps, the geometry buffer,
 // virtual lights, visibility, the estimate, the composite. Each stage owns what it produces and
 // hands it on as a const reference that is valid for this frame.
-#ifndef vtkIndirectPipeline_h
-#define vtkIndirectPipeline_h
+#pragma once
 
 #include "Capture/vtkIndirectCoarseLevels.h"        // for a member
 #include "Capture/vtkIndirectGeometryBuffer.h"      // for members
@@ -191,5 +190,3 @@ private:
   vtkIndirectKey FrameKey;     // the inputs of all light of the frame
   vtkIndirectKey LastFrameKey; // key of the frame before
 };
-
-#endif

@@ -2,8 +2,7 @@
 // The spheres that mappers draw, as blockers where segments walk through voxels, and as surfaces
 // for rays. They are found by the rule by which spheres replace the sky's maps
 // (vtkIndirectProxyScene), and cast shadows as any other caster does.
-#ifndef vtkIndirectSphereBlockers_h
-#define vtkIndirectSphereBlockers_h
+#pragma once
 
 #include "Proxies/vtkIndirectProxyScene.h"         // for a member
 #include "Visibility/vtkIndirectBlockingSpheres.h" // for a member
@@ -26,4 +25,3 @@ private:
   vtkIndirectProxyScene Scene{ vtkIndirectProxyScene::SEGMENTS };
   vtkIndirectBlockingSpheres Result;
 };
-#endif

@@ -10,8 +10,7 @@
 //
 // Splats that are cut off like spheres are in no depth map. With such splats all frames count as
 // motion, still ones too, so that their shadows do not come and go.
-#ifndef vtkIndirectSphereMotion_h
-#define vtkIndirectSphereMotion_h
+#pragma once
 
 #include "Proxies/vtkIndirectProxyKinds.h" // for a member
 #include "vtkType.h"                       // for times
@@ -65,4 +64,3 @@ private:
   vtkMTimeType EnvironmentTime = 0;
   bool Sun = false;
 };
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Textures of sums over spheres.
-#ifndef vtkIndirectProxyChannels_h
-#define vtkIndirectProxyChannels_h
+#pragma once
 
 #include "OpenGL/vtkIndirectGL.h"
 
@@ -71,4 +70,3 @@ const vtkIndirectChannels BlendedChannels = {
   MakeChannel("proxies.sent", "vtkiSent", "sums over spheres", "-"),
 };
 }
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tells if spheres can represent everything that a prop draws, without collecting them: by its
 // mappers, and by the shapes of meshes, each examined once.
-#ifndef vtkIndirectProxyKinds_h
-#define vtkIndirectProxyKinds_h
+#pragma once
 
 #include "vtkType.h" // for times
 
@@ -64,4 +63,3 @@ private:
 
   std::unordered_map<vtkPolyData*, Known> Meshes;
 };
-#endif

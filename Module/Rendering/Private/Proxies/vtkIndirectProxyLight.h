@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An environment in spherical harmonics, and the other input of sums over spheres: a uniform block
 // with the light and the flat polygons.
-#ifndef vtkIndirectProxyLight_h
-#define vtkIndirectProxyLight_h
+#pragma once
 
 #include "OpenGL/vtkIndirectResource.h"     // for the base class
 #include "OpenGL/vtkIndirectUniformBlock.h" // for a member
@@ -63,4 +62,3 @@ private:
   vtkMTimeType Time = 0;
   int NumberOfPolygons = 0;
 };
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Distance, in its radii, within which a sphere has to count for a small cut-off error under an
 // environment.
-#ifndef vtkIndirectProxyReach_h
-#define vtkIndirectProxyReach_h
+#pragma once
 
 #include <array>       // for coefficients
 #include <glm/glm.hpp> // for colours
@@ -33,4 +32,3 @@ public:
    */
   static vtkIndirectProxyReach Find(const Coefficients& light, bool middle);
 };
-#endif

@@ -2,8 +2,7 @@
 // The spheres and flat polygons that represent a frame's surfaces: atoms, glyphs and points drawn
 // as spheres directly from their data, other meshes by vtkIndirectProxyShapes. For segments, which
 // voxels occlude as well, only surfaces drawn as spheres.
-#ifndef vtkIndirectProxyScene_h
-#define vtkIndirectProxyScene_h
+#pragma once
 
 #include "Frame/vtkIndirectKey.h"           // for keys
 #include "Proxies/vtkIndirectProxyKinds.h"  // for a member
@@ -101,4 +100,3 @@ private:
   std::string Said; // last message about these
   std::vector<std::pair<std::string, std::string>> LeftOut;
 };
-#endif

@@ -2,8 +2,7 @@
 // The representation of a mesh: the spheres or the flat polygon that it consists of, or else
 // spheres that a filter fits to it. Kept while the mesh is the same; if only its points move, the
 // filter's spheres move with them.
-#ifndef vtkIndirectProxyShapes_h
-#define vtkIndirectProxyShapes_h
+#pragma once
 
 #include "Proxies/vtkIndirectProxySphere.h" // for shapes
 
@@ -79,4 +78,3 @@ private:
   std::map<std::pair<vtkProp*, vtkPolyData*>, Known> All;
   int NumberOfFits = 0;
 };
-#endif

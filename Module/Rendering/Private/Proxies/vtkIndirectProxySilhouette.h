@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Joint occlusion by spheres from afar, with mutual overlap: the area of their silhouette, averaged
 // over all directions. Areas are over pi, so that a sphere has r^2.
-#ifndef vtkIndirectProxySilhouette_h
-#define vtkIndirectProxySilhouette_h
+#pragma once
 
 #include <glm/glm.hpp> // for places
 
@@ -29,4 +28,3 @@ public:
    */
   static double FindArea(const Ball* balls, int count);
 };
-#endif

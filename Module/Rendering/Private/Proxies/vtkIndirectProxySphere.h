@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spheres and flat convex polygons that occlude and send light in place of surfaces.
-#ifndef vtkIndirectProxySphere_h
-#define vtkIndirectProxySphere_h
+#pragma once
 
 #include <glm/glm.hpp> // for places
 #include <vector>      // for corners
@@ -20,4 +19,3 @@ struct vtkIndirectProxyPolygon
   std::vector<glm::dvec3> Corners; // three or more, in order around it
   glm::vec3 Albedo{ 0.0f };
 };
-#endif

@@ -2,8 +2,7 @@
 // Pixels from one receiver of proxies to the next, by the picture's size and the spheres' size in
 // it. Hysteresis keeps the step near a limit, so that the light does not flicker with a camera that
 // oscillates there, between both eyes of a picture, or with swinging spheres.
-#ifndef vtkIndirectProxyStep_h
-#define vtkIndirectProxyStep_h
+#pragma once
 
 #include "Proxies/vtkIndirectProxySphere.h" // for spheres
 
@@ -30,4 +29,3 @@ private:
   int Size[2] = { 0, 0 };
   int Last = 0; // 0: none
 };
-#endif

@@ -9,8 +9,7 @@
 // Segments are either occluded or not, so no sphere may extend beyond its stick, whose surface
 // would lie in its own shadow: rows of INSIDE have the stick's radius, and a distance of one
 // radius. A stick is then up to 13 %, on average 4 %, thinner from the side.
-#ifndef vtkIndirectProxySticks_h
-#define vtkIndirectProxySticks_h
+#pragma once
 
 #include "vtkType.h" // for numbers
 
@@ -42,4 +41,3 @@ int FindRowInside(double length, double radius);
 void ForEach(vtkMapper* sticks, vtkDataSet* data, RowType type,
   const std::function<void(vtkIdType, const double[3], double)>& call);
 }
-#endif

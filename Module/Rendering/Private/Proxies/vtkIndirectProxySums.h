@@ -2,8 +2,7 @@
 // Sums a tree of spheres at the visible surfaces: irradiance of the sky that they leave visible,
 // and of their own light. Compute shaders sum in tiles of 16 x 16 receivers, or rectangles are
 // drawn and blended; both give the same result within rounding.
-#ifndef vtkIndirectProxySums_h
-#define vtkIndirectProxySums_h
+#pragma once
 
 #include "Capture/vtkIndirectReceiverGrid.h"     // for a member
 #include "OpenGL/vtkIndirectCommandBuffer.h"     // for a member
@@ -94,4 +93,3 @@ private:
   vtkIndirectFullScreenProgram Background{ this, "vtkIndirectClearFS.glsl" };
   vtkIndirectFullScreenProgram Resolving{ this, "vtkIndirectProxyResolveFS.glsl" };
 };
-#endif

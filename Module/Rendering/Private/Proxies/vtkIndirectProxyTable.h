@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What sums over spheres need in spherical harmonics. Written by
 // Testing/Reference/fit_sphere_proxies.py, which says what the numbers are; not to be edited.
-#ifndef vtkIndirectProxyTable_h
-#define vtkIndirectProxyTable_h
+#pragma once
 
 // clang-format off
 constexpr int vtkIndirectProxyEntries = 64;
@@ -74,4 +73,3 @@ constexpr float vtkIndirectProxyTable[64][4] = {
   {-6.864125f, -6.679089f, -1.485838f, 1.888882f},
 };
 // clang-format on
-#endif

@@ -13,8 +13,7 @@
 // parent is too near to represent it, and beyond `Inner` of its own. Both limits are smooth, and at
 // any position the weights of all entries that represent a sphere add up to one. So each entry can
 // be tested alone, in any order.
-#ifndef vtkIndirectProxyTree_h
-#define vtkIndirectProxyTree_h
+#pragma once
 
 #include "Proxies/vtkIndirectProxySphere.h" // for spheres
 
@@ -107,4 +106,3 @@ private:
   std::vector<Sender> Senders;
   std::vector<Mean> Means;
 };
-#endif

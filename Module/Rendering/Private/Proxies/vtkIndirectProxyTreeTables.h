@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tree of spheres in the form that shaders read: tables of entries, of bounding boxes of blocks
 // of them, and of senders.
-#ifndef vtkIndirectProxyTreeTables_h
-#define vtkIndirectProxyTreeTables_h
+#pragma once
 
 #include "OpenGL/vtkIndirectResource.h"    // for the base class
 #include "OpenGL/vtkIndirectTarget.h"      // for members
@@ -56,4 +55,3 @@ private:
   vtkIndirectTarget Senders;
   vtkIndirectTarget Ranges; // ranges of means
 };
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Settings made by the presets of vtkRadianceHintsPass: details of the method that users rarely
 // have a reason to change. Documentation/methods/radiance-hints.md tells the effect of each.
-#ifndef vtkIndirectHintDetails_h
-#define vtkIndirectHintDetails_h
+#pragma once
 
 #include "vtkRadianceHintsPass.h" // for Of
 
@@ -66,5 +65,3 @@ struct vtkIndirectHintDetails
     return details;
   }
 };
-
-#endif

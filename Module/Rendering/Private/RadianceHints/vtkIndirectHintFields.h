@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The light stored in the hints: injected from the maps, bounced, and looked up.
-#ifndef vtkIndirectHintFields_h
-#define vtkIndirectHintFields_h
+#pragma once
 
 #include "Frame/vtkIndirectEstimate.h"            // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h"  // for members
@@ -65,5 +64,3 @@ private:
   vtkIndirectFullScreenProgram SurfacesKernel;
   vtkIndirectFullScreenProgram ExchangeKernel;
 };
-
-#endif

@@ -8,8 +8,7 @@
 // The occupancy volume gives, for every voxel, the hints among the eight around it that a straight
 // line reaches; for every hint and direction, the surface that a ray meets; and the surfaces
 // themselves, two sides of each block of voxels if both are free.
-#ifndef vtkIndirectHintGrid_h
-#define vtkIndirectHintGrid_h
+#pragma once
 
 #include "OpenGL/vtkIndirectDataTexture.h" // for members
 #include "OpenGL/vtkIndirectKernels.h"     // for the row length
@@ -157,5 +156,3 @@ private:
   vtkIndirectDataTexture Textures[NumberOfTables]{ { this }, { this }, { this }, { this }, { this },
     { this }, { this }, { this } };
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Bounds of the grids of radiance hints, and the number of hints along each axis, from the
 // properties of vtkRadianceHintsPass.
-#ifndef vtkIndirectHintRegions_h
-#define vtkIndirectHintRegions_h
+#pragma once
 
 #include "RadianceHints/vtkIndirectHintGrid.h" // for regions
 
@@ -30,5 +29,3 @@ private:
     const vtkIndirectFrame& frame, const vtkIndirectHintGrid::Region& coarse) const;
   glm::ivec3 FindSize(const glm::dvec3& extent) const;
 };
-
-#endif

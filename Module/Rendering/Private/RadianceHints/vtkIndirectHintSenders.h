@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Blocks of the lights' map texels as virtual lights, a coarser level of the maps that hints sum
 // over.
-#ifndef vtkIndirectHintSenders_h
-#define vtkIndirectHintSenders_h
+#pragma once
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "VirtualLights/vtkIndirectSampler.h"
@@ -35,5 +34,3 @@ private:
   vtkMTimeType MapTime = 0;
   int Blocks = 0;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The part of vtkRadianceHintsPass that sums the light: the grid of hints, their fields, and the
 // look-up at receivers.
-#ifndef vtkIndirectHintSum_h
-#define vtkIndirectHintSum_h
+#pragma once
 
 #include "Capture/vtkIndirectReceiverGrid.h" // for members
 #include "Frame/vtkIndirectKey.h"            // for keys
@@ -77,5 +76,3 @@ private:
   long long NumberOfUpdates = 0; // of the hints' light, since construction
   size_t VoxelUpdates = 0;       // that the grid was made from
 };
-
-#endif

@@ -2,8 +2,7 @@
 // Groups the hits of rays into surfaces: hits in one block of voxels on one plane make one surface,
 // with its own albedo, however near other surfaces are. There are as many surfaces as light can
 // reach.
-#ifndef vtkIndirectHintSurfaces_h
-#define vtkIndirectHintSurfaces_h
+#pragma once
 
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for surfaces
@@ -45,5 +44,3 @@ private:
   std::vector<int> Newest; // one entry a block, -1: none
   std::vector<Surface> Surfaces;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The far field: the light that splats cut off, summed at every n-th pixel, measured, and
 // interpolated.
-#ifndef vtkIndirectFarField_h
-#define vtkIndirectFarField_h
+#pragma once
 
 #include "Capture/vtkIndirectReceiverGrid.h"     // for a member
 #include "Frame/vtkIndirectEstimate.h"           // for the input
@@ -46,5 +45,3 @@ private:
   mutable double Share = 0.0;
   mutable bool ShareIsKnown = true;
 };
-
-#endif

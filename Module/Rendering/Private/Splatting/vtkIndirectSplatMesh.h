@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Geometry of a splat: a polyhedron about the unit ball, or a rectangle.
-#ifndef vtkIndirectSplatMesh_h
-#define vtkIndirectSplatMesh_h
+#pragma once
 
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkOpenGLRenderWindow.h"      // for the weak pointer
@@ -48,5 +47,3 @@ private:
   int FirstOfRectangle = 0; // first corner of the rectangle
   size_t Bytes = 0;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The ellipsoids outside of which virtual lights and their lobes do not count, beside the table of
 // the lights.
-#ifndef vtkIndirectSplatTable_h
-#define vtkIndirectSplatTable_h
+#pragma once
 
 #include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
@@ -55,5 +54,3 @@ private:
   bool Fades = false;
   bool Lobes = false;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sums virtual lights and their lobes within their bounds: by compute shaders in tiles of 16 x 16
 // pixels, or without compute shaders by blended splats. Both give the same result within rounding.
-#ifndef vtkIndirectSplats_h
-#define vtkIndirectSplats_h
+#pragma once
 
 #include "Frame/vtkIndirectEstimate.h"        // for the input
 #include "OpenGL/vtkIndirectComputeProgram.h" // for a member
@@ -51,5 +50,3 @@ private:
   vtkIndirectComputeProgram Tiles{ this, "vtkIndirectSplatTilesCS.glsl" };
   vtkIndirectComputeProgram GlossyTiles{ this, "vtkIndirectGlossyTilesCS.glsl" };
 };
-
-#endif

@@ -2,8 +2,7 @@
 // Makes every texel of every map a virtual light of its own: the reference that other samplers
 // converge to. If there are too many texels, it makes one light for each square of 2 x 2, 4 x 4,
 // ... texels.
-#ifndef vtkIndirectAllTexelsSampler_h
-#define vtkIndirectAllTexelsSampler_h
+#pragma once
 
 #include "VirtualLights/vtkIndirectMapSampler.h"
 
@@ -58,5 +57,3 @@ public:
 private:
   size_t MostLights = static_cast<size_t>(-1);
 };
-
-#endif

@@ -7,8 +7,7 @@
 // a discontinuity.) A piece's light is the sum of its pixels' light, so no light is lost; it comes
 // from the pixels' mean place. A piece's area is the area that its light covers: a single bright
 // pixel has its own area, not that of the dark piece around it.
-#ifndef vtkIndirectAreaClusters_h
-#define vtkIndirectAreaClusters_h
+#pragma once
 
 #include "VirtualLights/vtkIndirectRectangle.h" // for places
 
@@ -40,5 +39,3 @@ public:
    */
   static std::vector<Light> MakeLights(const std::vector<Image>& images, int count);
 };
-
-#endif

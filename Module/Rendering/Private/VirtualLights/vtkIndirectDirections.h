@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Directions in which an environment is sampled, and the cells that each of them represents.
-#ifndef vtkIndirectDirections_h
-#define vtkIndirectDirections_h
+#pragma once
 
 #include "vtkEnvironmentLight.h" // for its cells
 
@@ -29,5 +28,3 @@ std::vector<glm::dvec3> MakeNestedLattice(int count);
 std::vector<size_t> FindNearest(const std::vector<vtkEnvironmentLight::Cell>& cells,
   const std::vector<glm::dvec3>& directions, size_t count);
 }
-
-#endif

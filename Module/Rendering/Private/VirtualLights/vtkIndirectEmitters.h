@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Emitters that light senders besides the renderer's lights: the sky in a few directions, and
 // rectangles in a few pieces. Each of them is a light with a map, as the renderer's lights are.
-#ifndef vtkIndirectEmitters_h
-#define vtkIndirectEmitters_h
+#pragma once
 
 #include "Frame/vtkIndirectFrame.h" // for lights
 #include "vtkSmartPointer.h"        // for lights
@@ -57,5 +56,3 @@ void AddAreaLights(List& emitters, const std::vector<vtkSmartPointer<vtkAreaLigh
 double FindIrradiance(
   const std::vector<vtkSmartPointer<vtkAreaLight>>& lights, const double place[3]);
 }
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Virtual lights of a headlight that is the only light. The eye sees all surfaces that it lights,
 // so the geometry buffer serves as its map.
-#ifndef vtkIndirectHeadlightSampler_h
-#define vtkIndirectHeadlightSampler_h
+#pragma once
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
 #include "VirtualLights/vtkIndirectPatternTexture.h" // for members
@@ -21,5 +20,3 @@ private:
   vtkIndirectPatternTexture Texture{ this };
   vtkIndirectFullScreenProgram Program{ this, "vtkIndirectCameraLightFS.glsl" };
 };
-
-#endif

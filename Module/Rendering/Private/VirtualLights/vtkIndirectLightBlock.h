@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A frame's virtual lights in a uniform buffer; see vtkIndirectLightUniforms.glsl. On llvmpipe
 // the sum over lights takes 0.6 times as long as from textures.
-#ifndef vtkIndirectLightBlock_h
-#define vtkIndirectLightBlock_h
+#pragma once
 
 #include "OpenGL/vtkIndirectUniformBlock.h" // for a member
 
@@ -46,5 +45,3 @@ private:
   int Capacity = 0;
   vtkIndirectUniformBlock Block{ this, "vtkiLightBlock" };
 };
-
-#endif

@@ -4,8 +4,7 @@
 //
 // A light drawn from M texels with probability density p counts 1/p texels, in B A and in A alike,
 // so the sums over all lights do not depend on how many there are.
-#ifndef vtkIndirectMapSampler_h
-#define vtkIndirectMapSampler_h
+#pragma once
 
 #include "VirtualLights/vtkIndirectSampler.h"
 
@@ -80,5 +79,3 @@ private:
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };
-
-#endif

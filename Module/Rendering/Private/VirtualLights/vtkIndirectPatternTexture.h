@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A sampler's pattern of map coordinates as a texture. It is made anew when its sources or the
 // sampler have changed.
-#ifndef vtkIndirectPatternTexture_h
-#define vtkIndirectPatternTexture_h
+#pragma once
 
 #include "OpenGL/vtkIndirectDataTexture.h"       // for the base class
 #include "VirtualLights/vtkIndirectMapSampler.h" // for sources
@@ -34,5 +33,3 @@ private:
   vtkMTimeType Time = 0;                          // time of that sampler
   int NumberOfSamples = 0;
 };
-
-#endif

@@ -17,8 +17,7 @@
 // that. So where strength s replaces a share r, 1 - r + s G must not exceed the ratio of white to
 // plain VTK's brightest surface: 1 / (a P), where P is the greatest irradiance that the renderer's
 // lights give any surface.
-#ifndef vtkIndirectPresetLights_h
-#define vtkIndirectPresetLights_h
+#pragma once
 
 #include <glm/glm.hpp> // for directions and colours
 #include <vector>      // for lists
@@ -78,5 +77,3 @@ struct vtkIndirectPresetLights
   /** Returns the direction for angles in degrees, as in vtkLight::SetDirectionAngle. */
   static glm::dvec3 FromAngles(double elevation, double azimuth);
 };
-
-#endif

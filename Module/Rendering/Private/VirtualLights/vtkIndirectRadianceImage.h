@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The pixels of an image as radiances.
-#ifndef vtkIndirectRadianceImage_h
-#define vtkIndirectRadianceImage_h
+#pragma once
 
 #include "vtkType.h" // for counts
 
@@ -48,5 +47,3 @@ private:
   bool Encoded;
   vtkIdType NumberOfInvalid = 0;
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The place of an area light: a rectangle, or a parallelogram.
-#ifndef vtkIndirectRectangle_h
-#define vtkIndirectRectangle_h
+#pragma once
 
 #include "vtkAreaLight.h" // for places
 
@@ -36,5 +35,3 @@ struct vtkIndirectRectangle
     return this->Corner + along.x * this->Edge1 + along.y * this->Edge2;
   }
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Deterministic patterns on the CPU. They use no standard distributions, whose values differ
 // between libraries, and would change every image.
-#ifndef vtkIndirectSamplePattern_h
-#define vtkIndirectSamplePattern_h
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -135,5 +134,3 @@ private:
   std::uint64_t Increment;
 };
 }
-
-#endif

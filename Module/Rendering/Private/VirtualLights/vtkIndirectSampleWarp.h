@@ -6,8 +6,7 @@
 // A map of one face is sampled directly, a map of several faces by a chart of its directions. Nodes
 // of four cells and their sums lie in two textures, which alternate from level to level, so that no
 // texture is read while it is drawn to.
-#ifndef vtkIndirectSampleWarp_h
-#define vtkIndirectSampleWarp_h
+#pragma once
 
 #include "OpenGL/vtkIndirectDataTexture.h"           // for a member
 #include "OpenGL/vtkIndirectFullScreenProgram.h"     // for members
@@ -78,5 +77,3 @@ private:
   vtkIndirectFullScreenProgram SumProgram{ this, "vtkIndirectImportanceSumFS.glsl" };
   vtkIndirectFullScreenProgram WarpProgram{ this, "vtkIndirectWarpFS.glsl" };
 };
-
-#endif

@@ -2,8 +2,7 @@
 // A sampler of virtual lights as the pipeline sees it: the table of its lights, the time of their
 // last change, and its abilities. A vtkVirtualLightSampler holds the user's settings and an object
 // of this class, which makes the lights; the pipeline has further objects of its own.
-#ifndef vtkIndirectSampler_h
-#define vtkIndirectSampler_h
+#pragma once
 
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "OpenGL/vtkIndirectTarget.h"   // for members
@@ -190,5 +189,3 @@ private:
   vtkTimeStamp ContentTime;
   int NumberOfLights = 0;
 };
-
-#endif

@@ -10,8 +10,7 @@
 //
 // The clusters depend on the maps' light in coarse steps only. A sky that changes a little moves no
 // virtual light, so data that are kept by the lights' places stay valid.
-#ifndef vtkIndirectSenderClusters_h
-#define vtkIndirectSenderClusters_h
+#pragma once
 
 #include <cstddef>     // for size_t
 #include <cstdint>     // for numbers of senders
@@ -161,5 +160,3 @@ struct vtkIndirectFurtherSenders
   size_t NumberOfMaps = 0;
   size_t Time = 0; // grows whenever the senders change
 };
-
-#endif

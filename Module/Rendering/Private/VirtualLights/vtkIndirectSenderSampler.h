@@ -5,8 +5,7 @@
 //
 // Maps are kept while the camera turns and while only radiances change. Places of lights are kept,
 // too, unless radiances change by more than a factor (vtkIndirectSenderClusters).
-#ifndef vtkIndirectSenderSampler_h
-#define vtkIndirectSenderSampler_h
+#pragma once
 
 #include "Frame/vtkIndirectFrame.h"            // for casters
 #include "Frame/vtkIndirectKey.h"              // for keys
@@ -72,5 +71,3 @@ private:
   size_t MadeTime = 0;
   int MadeCount = 0;
 };
-
-#endif

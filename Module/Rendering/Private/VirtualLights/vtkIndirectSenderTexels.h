@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Texels of maps that send light, read back from OpenGL.
-#ifndef vtkIndirectSenderTexels_h
-#define vtkIndirectSenderTexels_h
+#pragma once
 
 #include "VirtualLights/vtkIndirectAllTexelsSampler.h" // for members
 #include "VirtualLights/vtkIndirectSenderClusters.h"   // for senders
@@ -33,5 +32,3 @@ public:
 private:
   vtkIndirectAllTexelsSampler Texels;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An environment's light by directions that are fixed in the world. It is found once for each
 // change and shared by all stages that sum it.
-#ifndef vtkIndirectSkyProjection_h
-#define vtkIndirectSkyProjection_h
+#pragma once
 
 #include "vtkType.h" // for times
 
@@ -39,5 +38,3 @@ private:
   vtkEnvironmentLight* Environment = nullptr;
   vtkMTimeType Time = 0;
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The virtual lights of a frame: the lights of one sampler, or of several samplers one after the
 // other.
-#ifndef vtkIndirectVirtualLights_h
-#define vtkIndirectVirtualLights_h
+#pragma once
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectResource.h"          // for the base class
@@ -71,7 +70,6 @@ public:
   /** Copies the lobes: a row of two texels of four floats for each, in world units. */
   void CopyLobes(const vtkIndirectFrame& frame, vtkImageData* image) const;
 
-  /** Returns the bytes of the joined tables of several samplers; samplers count their own. */
 protected:
   void ReleaseOwn(vtkWindow* window) override;
 
@@ -106,5 +104,3 @@ private:
   vtkTimeStamp ContentTime;
   vtkMTimeType JoinedTime = 0; // time of the contents in the joined tables; 0: none
 };
-
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Spheres that mappers draw in place of polygons. They block light between senders and receivers,
 // and rays meet them. vtkIndirectSphereBlockers finds them.
-#ifndef vtkIndirectBlockingSpheres_h
-#define vtkIndirectBlockingSpheres_h
+#pragma once
 
 #include <cstddef>     // for size_t
 #include <glm/glm.hpp> // for places
@@ -34,4 +33,3 @@ struct vtkIndirectBlockingSpheres
   size_t NumberOfUpdates = 0;                               // grows when places or radii change
   size_t NumberOfLooks = 0;                                 // grows when looks change
 };
-#endif

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tree of boxes, split by the surface-area heuristic in bins (Wald 2007, "On fast construction of
 // SAH-based bounding volume hierarchies").
-#ifndef vtkIndirectBoxTree_h
-#define vtkIndirectBoxTree_h
+#pragma once
 
 #include <cstdint>     // for numbers
 #include <glm/glm.hpp> // for places
@@ -75,4 +74,3 @@ private:
   std::vector<Part> Parts;
   Box All;
 };
-#endif

@@ -2,8 +2,7 @@
 // The part of an area light's view in which a caster can hide the light. A depth map of this part
 // alone has finer texels: for a lamp far above a machine they are ten times finer than those of a
 // map of all that the lamp shines at.
-#ifndef vtkIndirectCasterWindow_h
-#define vtkIndirectCasterWindow_h
+#pragma once
 
 #include "Visibility/vtkIndirectDepthTile.h" // for views
 
@@ -66,5 +65,3 @@ private:
   std::vector<Box> Boxes; // scene units
   Box All;                // around all casters
 };
-
-#endif

@@ -3,8 +3,7 @@
 // tiles through the capture, so that glyphs, impostors and textures cast the shadows that they
 // draw. Tiles are kept while the camera moves: a tile is drawn again only when its emitter, or a
 // caster that the tile can see, has changed.
-#ifndef vtkIndirectDepthAtlas_h
-#define vtkIndirectDepthAtlas_h
+#pragma once
 
 #include "Capture/vtkIndirectDepthDrawer.h"  // for a member
 #include "OpenGL/vtkIndirectResource.h"      // for the base class
@@ -139,5 +138,3 @@ private:
   bool Changed = false;
   bool ReceiversCast = true; // all receivers cast shadows
 };
-
-#endif

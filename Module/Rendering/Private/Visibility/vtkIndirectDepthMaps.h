@@ -2,8 +2,7 @@
 // The depth maps of all kinds of emitters. A client asks for its maps and looks them up. This class
 // holds the maps' textures, marks maps as stale that see a change of the scene, bounds the memory,
 // shares the work of a frame among the clients, and reports the maps that are left to be drawn.
-#ifndef vtkIndirectDepthMaps_h
-#define vtkIndirectDepthMaps_h
+#pragma once
 
 #include "Visibility/vtkIndirectDepthAtlas.h" // for members
 #include "vtkType.h"                          // for revisions
@@ -88,5 +87,3 @@ private:
   double SceneScale = 0.0;
   glm::dvec3 SceneCenter{ 0.0 };
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The view of one tile of the depth atlas: the camera of an emitter.
-#ifndef vtkIndirectDepthTile_h
-#define vtkIndirectDepthTile_h
+#pragma once
 
 #include <array>       // for strips
 #include <glm/glm.hpp> // for the camera
@@ -94,5 +93,3 @@ struct vtkIndirectDepthTile
 
   bool operator==(const vtkIndirectDepthTile& other) const;
 };
-
-#endif

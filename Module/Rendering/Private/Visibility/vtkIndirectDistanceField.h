@@ -2,8 +2,7 @@
 // The distance of each voxel of an occupancy volume to the nearest occupied one, so that a segment
 // leaps over empty space. A distance is the greatest of the three along the axes (chessboard), and
 // 0 in occupied voxels. The columns of bits, grown by a voxel at a time, give the distances.
-#ifndef vtkIndirectDistanceField_h
-#define vtkIndirectDistanceField_h
+#pragma once
 
 #include "OpenGL/vtkIndirectDataTexture.h" // for a member
 #include "OpenGL/vtkIndirectResource.h"    // for the base class
@@ -45,5 +44,3 @@ private:
   std::vector<unsigned char> Voxels;
   mutable vtkIndirectDataTexture Texture{ this };
 };
-
-#endif

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The glyphs of a vtkGlyph3DMapper: their places, turns and scales, and the source of each.
-#ifndef vtkIndirectGlyphs_h
-#define vtkIndirectGlyphs_h
+#pragma once
 
 #include "vtkType.h" // for ids
 
@@ -32,4 +31,3 @@ std::vector<std::vector<vtkPolyData*>> FindSources(vtkGlyph3DMapper* mapper);
 void ForEach(vtkGlyph3DMapper* mapper, vtkDataSet* data, size_t numberOfSources,
   const std::function<void(const Instance&)>& call);
 }
-#endif

@@ -9,8 +9,7 @@
 //
 // The triangles are the polygons of vtkIndirectSurfaces. Planes and the mean albedo are kept on
 // request, for radiance hints.
-#ifndef vtkIndirectOccupancyVolume_h
-#define vtkIndirectOccupancyVolume_h
+#pragma once
 
 #include "Frame/vtkIndirectFrame.h"            // for casters
 #include "Frame/vtkIndirectKey.h"              // for keys
@@ -126,5 +125,3 @@ private:
   std::vector<LeftOutProp> LeftOut;
   mutable vtkIndirectDataTexture Texture{ this };
 };
-
-#endif

@@ -8,8 +8,7 @@
 // Limits: blockers thinner than a texel (bias of either sign), and the sharpness of a shadow within
 // two texels of a contact. The steps of single points show as bands where a penumbra is many texels
 // wide.
-#ifndef vtkIndirectPenumbra_h
-#define vtkIndirectPenumbra_h
+#pragma once
 
 #include "Capture/vtkIndirectShadowMaps.h"       // for the maps that the capture reads
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
@@ -76,5 +75,3 @@ private:
   vtkIndirectFullScreenProgram Kernel{ this, "vtkIndirectPenumbraTilesFS.glsl" };
   size_t Joined = 0; // number of tiles that had been drawn by the last JoinTexels
 };
-
-#endif

@@ -3,8 +3,7 @@
 // their places in scene units, and how VTK shades them. The glyphs of one vtkGlyph3DMapper that
 // share a data set and a source are one such piece too. Blocks that a composite mapper does not
 // draw, or draws translucent, are not read.
-#ifndef vtkIndirectPolygons_h
-#define vtkIndirectPolygons_h
+#pragma once
 
 #include "Frame/vtkIndirectMaterial.h" // for a member
 
@@ -103,5 +102,3 @@ private:
   vtkIdType PointsOfGlyph = 0;
   vtkSmartPointer<vtkDataSet> GlyphPlaces; // the data set at whose points glyphs stand
 };
-
-#endif

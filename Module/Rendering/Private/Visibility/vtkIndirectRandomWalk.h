@@ -21,8 +21,7 @@
 //
 // A path depends on its number and its light alone: it moves smoothly with the light, and more
 // paths leave the first ones as they are.
-#ifndef vtkIndirectRandomWalk_h
-#define vtkIndirectRandomWalk_h
+#pragma once
 
 #include "VirtualLights/vtkIndirectEmitters.h" // for emitters
 
@@ -84,5 +83,3 @@ private:
   size_t NumberOfPaths = 0;
   double Tail = 0.0;
 };
-
-#endif

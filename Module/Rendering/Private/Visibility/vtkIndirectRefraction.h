@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A body that refracts light: a closed surface between air and a material of another index.
-#ifndef vtkIndirectRefraction_h
-#define vtkIndirectRefraction_h
+#pragma once
 
 #include "Visibility/vtkIndirectSurfaces.h" // for a member
 
@@ -54,5 +53,3 @@ private:
   double Transmission = 1.0; // share that a face lets through
   double Size = 0.0;         // diagonal of its bounds, scene units
 };
-
-#endif

@@ -5,8 +5,7 @@
 // Light goes uniformly towards each body: through the squares of a grid that is as wide as the
 // sphere around the body's bounds looks from the light. Light that passes the body becomes a
 // virtual light on the far face, with the lobe's flux alone.
-#ifndef vtkIndirectRefractionSampler_h
-#define vtkIndirectRefractionSampler_h
+#pragma once
 
 #include "Frame/vtkIndirectKey.h" // for keys
 #include "VirtualLights/vtkIndirectSampler.h"
@@ -42,5 +41,3 @@ private:
   std::vector<vtkIndirectRefraction> Bodies; // of the frame's refractors
   vtkIndirectKey Key;                        // the inputs of the lights
 };
-
-#endif

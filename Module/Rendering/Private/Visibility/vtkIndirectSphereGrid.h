@@ -6,8 +6,7 @@
 //
 // A list holds copies of its spheres, so that a shader reads them one after the other. A cell
 // inside a sphere does not list the sphere: a segment that the sphere blocks passes its surface.
-#ifndef vtkIndirectSphereGrid_h
-#define vtkIndirectSphereGrid_h
+#pragma once
 
 #include "OpenGL/vtkIndirectDataTexture.h" // for members
 #include "OpenGL/vtkIndirectResource.h"    // for the base class
@@ -97,5 +96,3 @@ private:
   mutable vtkIndirectDataTexture CellTexture{ this };
   mutable vtkIndirectDataTexture ListTexture{ this };
 };
-
-#endif

@@ -8,8 +8,7 @@
 // by the winding, towards the ray's start. Rays pass through faces that a mapper culls. Spheres are
 // given by vtkIndirectSphereBlockers; rays meet their outside, which impostors draw. Colours are
 // those of vtkIndirectMaterial.
-#ifndef vtkIndirectSurfaces_h
-#define vtkIndirectSurfaces_h
+#pragma once
 
 #include "Frame/vtkIndirectKey.h"                  // for keys
 #include "Visibility/vtkIndirectBlockingSpheres.h" // for members
@@ -117,5 +116,3 @@ private:
   std::vector<std::pair<std::string, std::string>> LeftOut;
   size_t NumberOfBuilds = 0;
 };
-
-#endif

@@ -2,8 +2,7 @@
 // Visibility of virtual lights from receivers, for estimators. It comes from nothing, from voxels
 // of the scene and spheres that they do not hold, from the scene's surfaces themselves, or from
 // depth maps of the lights.
-#ifndef vtkIndirectVisibility_h
-#define vtkIndirectVisibility_h
+#pragma once
 
 #include "Frame/vtkIndirectEstimate.h"             // for the needs
 #include "OpenGL/vtkIndirectDataTexture.h"         // for a member
@@ -140,5 +139,3 @@ private:
   bool Shares = false;
   vtkIndirectDataTexture Owners{ this };
 };
-
-#endif

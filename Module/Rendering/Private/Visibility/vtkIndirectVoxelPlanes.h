@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The planes of the surfaces in a grid of voxels: for each voxel the plane that all its triangles
 // share, roughly.
-#ifndef vtkIndirectVoxelPlanes_h
-#define vtkIndirectVoxelPlanes_h
+#pragma once
 
 #include <cstdint>     // for indices
 #include <glm/glm.hpp> // for vectors
@@ -42,5 +41,3 @@ private:
   std::vector<int32_t> Index; // number of each voxel's plane; -1: no triangle touches the voxel
   std::vector<Plane> Planes;
 };
-
-#endif
