@@ -121,8 +121,8 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
   vtkiFindOpen(vtkiToVoxels(position), normal, open, aside);
 #endif
   float fine = VTKI_GRIDS > 1 ? vtkiFineShare(position) : 0.0f;
-  // First with the visible hints; if there is none, once more with those in front. Conditions come last:
-  // a loop ends when they hold for all fragments shaded together, and a loop that begins with its
+  // First with the visible hints; if there is none, once more with those in front. Conditions come
+  // last: a loop ends when they hold for all fragments shaded together, and a loop that begins with its
   // condition runs one more round, which costs as much as the others.
   int attempt = 0;
   bool again = false;

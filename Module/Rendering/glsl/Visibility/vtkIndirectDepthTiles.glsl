@@ -67,7 +67,8 @@ bool vtkiIsSeenInView(
 #ifdef VTKI_SHARES_LOOKS
   vec2 beyond = vtkiStepBeyond(offset);
   vec2 next = clamp(at + beyond, lowest, -lowest);
-  float rise = (stored - textureLod(vtkiDepthTiles, corner + next * perSize, 0.0f).r) * (range.x - range.y);
+  float second = textureLod(vtkiDepthTiles, corner + next * perSize, 0.0f).r;
+  float rise = (stored - second) * (range.x - range.y);
   // A diagonal step is the square root of two long.
   float steps = dot(offset, beyond) * (beyond.x * beyond.y == 0.0f ? 1.0f : 0.5f);
   return outside || onSurface ||
