@@ -26,6 +26,27 @@ uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene u
 const float VTKI_FACET_SINE2 = 1.0e-5f;
 const float VTKI_FACET_ROUNDING = 1.0e-6f;
 
+// The way from the middle of a pixel's facet to the pixel [scene units], in view coordinates; see
+// vtkiLeaveFacets.
+vec3 vtkiFacetWay = vec3(0.0f);
+
+// The shading normal is the facet's own at the facet's middle and turns from there: its tilt over
+// its turn is the distance from the middle. The turn is the root of the sum of both squared
+// curvatures over two, that of a sphere. dx, dy: change of the position over a pixel; facet: their
+// cross product.
+vec3 vtkiFindFacetWay(vec3 dx, vec3 dy, vec3 facet, vec3 normal)
+{
+  vec3 turnX = dFdx(normal);
+  vec3 turnY = dFdy(normal);
+  float turn2 = dot(turnX, turnX) * dot(dy, dy) + dot(turnY, turnY) * dot(dx, dx) -
+    2.0f * dot(turnX, turnY) * dot(dx, dy); // times length2
+  float length2 = dot(facet, facet);
+  float upright = dot(normal, facet);
+  vec3 tilt = normal * length2 - facet * upright; // times length2
+  float scale = upright * upright * turn2;
+  return scale > 0.0f ? tilt * inversesqrt(0.5f * scale) : vec3(0.0f);
+}
+
 // Unit normal of the facet at a position, on the side of its shading normal; the shading normal
 // itself where the two differ by less than the derivatives of the position can resolve.
 vec3 vtkiFacetNormal(vec3 position, vec3 normal)
@@ -35,6 +56,7 @@ vec3 vtkiFacetNormal(vec3 position, vec3 normal)
   vec3 facet = cross(dx, dy);
   vec3 across = cross(facet, normal);
   float length2 = dot(facet, facet);
+  vtkiFacetWay = vtkiFindFacetWay(dx, dy, facet, normal);
   float rounding = VTKI_FACET_ROUNDING * VTKI_FACET_ROUNDING * dot(position, position);
   bool other =
     dot(across, across) > max(VTKI_FACET_SINE2 * length2, rounding * (dot(dx, dx) + dot(dy, dy)));
@@ -50,6 +72,20 @@ const float VTKI_SURFACE_ROUGHNESS = 0.5f;
 const float VTKI_SHADOW_CONTACT = 16.0f;
 // Rounding error of positions, here and in the map, relative to the numbers they are computed from.
 const float VTKI_POSITION_ROUNDING = 4.8e-7f;
+
+// Moves a position towards a light at the origin, or along z, past neighbouring facets of the same
+// surface. It moves where the facet faces away from the light and the shading normal does not: the
+// curved surface that the facets approximate is lit there, and neighbouring facets lie in front of
+// the facet. A neighbour as large as the facet hides the pixel by at most three times the pixel's distance
+// from the facet's middle, near the common edge. All is in the light's frame; way: vtkiFacetWay.
+//   Another body within this distance hides nothing from such pixels either: too bright.
+vec3 vtkiLeaveFacets(bool parallel, vec3 p, vec3 facet, vec3 way)
+{
+  float most = parallel ? 1.0f : 0.5f * length(p);
+  vec3 toLight = parallel ? vec3(0.0f, 0.0f, 1.0f) : p * (-0.5f / max(most, 1.0e-15f));
+  float distance = dot(facet, toLight) < 0.0f ? 3.0f * dot(way, toLight) : 0.0f;
+  return p + toLight * clamp(distance, 0.0f, most);
+}
 
 // A light's visibility from a position that the eye sees. viewToLight: its columns are the rows of
 // the matrix from view coordinates to the light's frame in scene units; map: first layer (-1:
@@ -68,6 +104,7 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   vec3 n = vec4(normalVC * scale, 0.0f) * viewToLight;
   vec3 facet = vec4(facetNormalVC * scale, 0.0f) * viewToLight;
   bool parallel = projection == VTKI_MAP_PARALLEL;
+  p = vtkiLeaveFacets(parallel, p, facet, vec4(vtkiFacetWay * scale, 0.0f) * viewToLight);
   int face = 0;
   if (projection == VTKI_MAP_FACES && int(map.y + 0.5f) == VTKI_MAP_FACES)
   {
