@@ -101,14 +101,15 @@ struct vtkiPatchLight
  *   The mean over the patch adds variance / 2 times the Laplacian along it: with 4 variance / R^2 =
  * v and t = v b^2 / R^2 times 1 + v along it, 1 + 2 v towards it, and 1 - 3 t both. 1 / ((1 + t) (1
  * + 2 t)) is positive and the same in the first order.
- *   Behind the patch the light is zero: to avoid a step, it is softened from a tenth of b on, and
- * from a thousandth on for receivers that do not face it, as pixels on a crease; those that face it
- * may be the other side of a thin sheet. Where normals differ, receivers that do not face it get
- * light behind it, too. A patch whose middle lies behind the receiver gives nothing, and one just
- * before it at most VTKI_PATCH_RISE times the light that its height over the receiver alone would
- * give: the back of a bowl is before its mean plane. For receivers that face the patch this is the
- * height over their facet, which may face the other way: too dark by the square of VTKI_PATCH_FACET
- * between two planes. */
+ *   Behind the patch the light is zero: to avoid a step, it is softened from a tenth of b on for
+ * receivers that face the patch, which may be the other side of a thin sheet, and from a thousandth
+ * on for others, which may lie in the plane. Receivers across the plane get all of it down to the
+ * plane and none from a thousandth of b behind: rounding places a pixel on a crease there. Where
+ * normals differ, receivers that do not face the patch get light behind it, too. A patch whose
+ * middle lies behind the receiver gives nothing, and one just before it at most VTKI_PATCH_RISE
+ * times the light that its height over the receiver alone would give: the back of a bowl is before
+ * its mean plane. For receivers that face the patch this is the height over their facet, which may
+ * face the other way: too dark by the square of VTKI_PATCH_FACET between two planes. */
 vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, float area, float softening)
 {
   float r2 = dot(toSender, toSender);
@@ -118,7 +119,9 @@ vtkiPatchLight vtkiFindPatchLight(vec3 toSender, vec3 normalS, vec3 normalR, flo
   float height2 = height * height;
   float added2 = softening * softening / max(softening + height2, 1.0e-30f);
   float softened2 = height2 + added2;
-  float depth = min(sqrt(softened2) - height, 10.0f * height + across * (1000.0f * max(towards, 0.0f)));
+  float b = sqrt(softened2);
+  float behind = b * min(max(1.0f - 2.0f * dot(normalS, normalR), 0.0f), 1.0f);
+  float depth = min(b - height, 10.0f * height + across * max(1000.0f * towards + behind, 0.0f));
   float over = 1.0f / max(r2 + added2, 1.0e-18f);
   float v = area / 3.0f * over;
   float t = v * over * softened2;
