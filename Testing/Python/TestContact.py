@@ -294,11 +294,15 @@ class Contact(unittest.TestCase):
         lamp.SetFocalPoint(0.4, 0.6, 1.5)
         scene.renderer.AddLight(lamp)
         self.finish(scene)
-        rough = wrinkle(scene.read("irradiance").mean(-1)) > 0.04
-        print(f"room: off by 4 % {rough.sum()} of {rough.size} pixels")
         # At corners of the board a texel's neighbours lie beyond another edge: 183. Without texels'
-        # neighbours 987 pixels are off.
-        self.assertLess(rough.sum(), 300)
+        # neighbours 987 pixels are off. Moving frames read one neighbour: 252, without it 942.
+        for rate, most in ((1e-4, 300), (15.0, 400)):
+            scene.window.SetDesiredUpdateRate(rate)
+            scene.renderer.GetActiveCamera().Azimuth(0.01)
+            scene.window.Render()
+            rough = wrinkle(scene.read("irradiance").mean(-1)) > 0.04
+            print(f"room: rate {rate}, off by 4 % {rough.sum()} of {rough.size} pixels")
+            self.assertLess(rough.sum(), most)
 
     def finish(self, scene: Scene) -> None:
         scene.window.Render()

@@ -4,8 +4,13 @@
 import json
 import unittest
 
+from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
+from vtkmodules.vtkFiltersSources import vtkArcSource
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
+
 import support
 import vtkindirect
+from rooms import make_actor
 from vtkindirect import frames, images, methods, metrics, references, settings, sweep, wrapped
 
 PAGE = support.SOURCE / "Documentation" / "methods" / "radiance-hints.md"
@@ -54,6 +59,47 @@ class Hints(unittest.TestCase):
         self.assertGreater(three, 1.1 * one)
         vtkindirect.disable(loaded.renderer)
         window.Finalize()
+
+    def test_no_light_comes_through_the_outermost_surface(self) -> None:
+        # Half a cylinder with a lamp on its axis, from outside: no other surface reflects light.
+        arc = vtkArcSource()
+        arc.UseNormalAndAngleOn()
+        arc.SetNormal(0, 0, 1)
+        arc.SetPolarVector(-1, 0, 0)
+        arc.SetAngle(180)
+        arc.SetCenter(0, 1, -1)
+        arc.SetResolution(48)
+        sheet = vtkLinearExtrusionFilter()
+        sheet.SetInputConnection(arc.GetOutputPort())
+        sheet.SetExtrusionTypeToVectorExtrusion()
+        sheet.SetVector(0, 0, 2)
+        renderer = vtkRenderer()
+        renderer.AutomaticLightCreationOff()
+        renderer.AddActor(make_actor(sheet, (0.8, 0.8, 0.8)))
+        lamp = vtkLight()
+        lamp.SetLightTypeToSceneLight()
+        lamp.PositionalOn()
+        lamp.SetConeAngle(180)
+        lamp.SetPosition(0, 1, 0)
+        renderer.AddLight(lamp)
+        window = vtkindirect.render_window((120, 90), offscreen=True)
+        window.AddRenderer(renderer)
+        self.addCleanup(window.Finalize)
+        vtkindirect.enable(renderer, "hints", lighting="scene")
+        mean = {}
+        for side, eye in {"inside": (0.8, 5, 3), "outside": (3, -4, 4)}.items():
+            renderer.GetActiveCamera().SetPosition(*eye)
+            renderer.GetActiveCamera().SetFocalPoint(0, 0.4, 0)
+            renderer.ResetCameraClippingRange()
+            window.Render()
+            direct = images.copy_buffer(renderer, "direct").max(-1)
+            shown = images.copy_buffer(renderer, "depth")[..., 0] > 0
+            chosen = shown & ((direct > 0) == (side == "inside"))
+            mean[side] = images.copy_buffer(renderer, "irradiance").max(-1)[chosen].mean()
+            print(f"{side}: {chosen.sum()} pixels, mean {mean[side]:.4f}")
+        # Hints behind the sheet would count beyond the border of the voxels: 0.259 of 0.162.
+        self.assertGreater(mean["inside"], 0.05)
+        self.assertLess(mean["outside"], 0.03 * mean["inside"])
 
     @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "references are OpenEXR files")
     def test_half_of_the_papers_error(self) -> None:

@@ -319,7 +319,7 @@ VTK_INDIRECT_TEST(DepthTileSeesIntoCreases)
   Random random(37);
   const double texel = 0.04; // at depth one
   int counted = 0;
-  int lost[2] = {};
+  int lost[3] = {};
   int hidden = 0;
   while (counted < 20000)
   {
@@ -348,22 +348,30 @@ VTK_INDIRECT_TEST(DepthTileSeesIntoCreases)
     const glm::dvec2 side(offset.x < 0.0 ? -texel : texel, offset.y < 0.0 ? -texel : texel);
     const glm::vec2 rise(inverse(ray + glm::dvec3(side.x, 0.0, 0.0)) - stored,
       inverse(ray + glm::dvec3(0.0, side.y, 0.0)) - stored);
-    const bool meets =
-      vtkiMeetsInPerspectiveTile(stored, depth, glm::vec2(glm::abs(offset) / texel), rise);
+    const float byTwo = glm::dot(glm::vec2(glm::abs(offset) / texel), rise);
+    const bool meets = vtkiMeetsInPerspectiveTile(stored, depth, byTwo);
+    // Moving frames read one texel beyond.
+    const glm::vec2 beyond = vtkiStepBeyond(glm::vec2(offset));
+    const glm::dvec2 step(beyond);
+    const double steps = glm::dot(offset / texel, step) / glm::dot(step, step);
+    const auto byOne =
+      static_cast<float>(steps * (inverse(ray + texel * glm::dvec3(step, 0.0)) - stored));
+    const bool meetsAtOne = vtkiMeetsInPerspectiveTile(stored, depth, byOne);
     const bool seen = vtkiIsSeenInPerspectiveTile(stored, depth, static_cast<float>(-height[0]),
       static_cast<float>(glm::dot(floor, ray)), static_cast<float>(VTKI_TILE_ROUGHNESS * texel));
     lost[0] += seen ? 0 : 1;
     lost[1] += seen || meets ? 0 : 1;
+    lost[2] += seen || meetsAtOne ? 0 : 1;
     // A sheet between the light and the floor, parallel to the map.
-    hidden += vtkiMeetsInPerspectiveTile(1.2f * static_cast<float>(onFloor), depth,
-                glm::vec2(glm::abs(offset) / texel), glm::vec2(0.0f))
-      ? 1
-      : 0;
+    hidden += vtkiMeetsInPerspectiveTile(1.2f * static_cast<float>(onFloor), depth, 0.0f) ? 1 : 0;
   }
   CheckAtLeast("receivers that their own texel hides", lost[0], 1000, "the test's own power");
   CheckAtMost("share of them that the next texels hide, too",
     static_cast<double>(lost[1]) / lost[0], 0.01,
     "walls that the light sees at less than 7 degrees");
+  CheckAtMost("share of them that one texel beyond hides, too",
+    static_cast<double>(lost[2]) / lost[0], 0.2,
+    "walls that rise across the line through the texels");
   CheckEqual("receivers that see through a sheet", hidden, 0);
 }
 

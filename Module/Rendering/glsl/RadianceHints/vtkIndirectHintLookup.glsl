@@ -52,8 +52,11 @@ void vtkiFindOpen(vec3 place, vec3 normal, out vec3 open, out vec3 aside)
 
 const int VTKI_MARCH = 24; // steps of a look-up through the voxels
 
-void vtkiAddLookup(
-  inout vtkiField sum, inout float total, int grid, vec3 at, float weight, bool seen)
+// Adds the hints around a place in front of a surface. seen: only hints that the surface sees;
+// otherwise hints in front of its plane, so that a surface at the grid's border, which faces
+// outwards, gets no light of hints behind it.
+void vtkiAddLookup(inout vtkiField sum, inout float total, int grid, vec3 at, float weight,
+  vec3 position, vec3 normal, bool seen)
 {
   vtkiGrid g = vtkiGetGrid(grid);
   int mask = 255;
@@ -65,7 +68,10 @@ void vtkiAddLookup(
   vec3 centre = (vec3(voxel) + 0.5f) / vtkiOccupancyOrigin.w + vtkiOccupancyOrigin.xyz;
   base = floor((centre - g.lower) / g.cell - 0.5f);
   vec2 masks = textureLod(vtkiMasks, (vec3(voxel) + 0.5f) / vtkiOccupancySize, 0.0f).rg;
-  mask = seen ? int((grid == 0 ? masks.x : masks.y) * 255.0f + 0.5f) : 255;
+  // An occupied voxel has a plane in place of the mask. At the volume's border it stands for a free
+  // place beyond.
+  int sees = vtkiIsOccupied(voxel) ? 0 : int((grid == 0 ? masks.x : masks.y) * 255.0f + 0.5f);
+  mask = seen ? sees : 255;
 #endif
   vec3 blend = clamp(inGrid - base, 0.0f, 1.0f);
   for (int corner = 0; corner < 8; ++corner)
@@ -76,7 +82,10 @@ void vtkiAddLookup(
     vec3 w3 = mix(1.0f - blend, blend, vec3(shift));
     // Above zero, so that a single visible hint counts wherever it lies.
     float w = weight * max(w3.x * w3.y * w3.z, 1.0e-4f) * float((mask >> corner) & 1);
-#ifndef VTKI_HINT_OCCUPANCY
+#ifdef VTKI_HINT_OCCUPANCY
+    vec3 toHint = g.lower + (vec3(hintAt) + 0.5f) * g.cell - position;
+    w *= seen || dot(toHint, normal) > 0.0f ? 1.0f : 0.0f;
+#else
     if (VTKI_FACING != 0)
     {
       w *= texelFetch(vtkiHintDistance, vtkiHintTexel(hint), 0).z;
@@ -112,8 +121,8 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
   vtkiFindOpen(vtkiToVoxels(position), normal, open, aside);
 #endif
   float fine = VTKI_GRIDS > 1 ? vtkiFineShare(position) : 0.0f;
-  // First with the visible hints; if there is none, once more with all hints. Conditions come last:
-  // a loop ends when they hold for all fragments shaded together, and a loop that begins with its
+  // First with the visible hints; if there is none, once more with those in front. Conditions come
+  // last: a loop ends when they hold for all fragments shaded together, and a loop that begins with its
   // condition runs one more round, which costs as much as the others.
   int attempt = 0;
   bool again = false;
@@ -159,7 +168,7 @@ vec3 vtkiHintIrradiance(vec3 position, vec3 normal, ivec2 pixel, bool needed)
 #endif
       if (weight > 0.0f && i < lookups)
       {
-        vtkiAddLookup(sum, total, grid, at, weight, attempt == 0);
+        vtkiAddLookup(sum, total, grid, at, weight, position, normal, attempt == 0);
       }
       ++i;
     } while (VTKI_LOOKUPS * VTKI_GRIDS > 1 && i < lookups);

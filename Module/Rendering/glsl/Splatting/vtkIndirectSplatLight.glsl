@@ -64,7 +64,9 @@ float vtkiShareOfSplat(vec3 toSender, vec4 sender, vec4 senderNormal, vec3 densi
   return max(share, vtkiSplatFades || near <= 0.0f ? near : 1.0f);
 }
 
-// The light of a sender, not cut off.
+// The light of a sender, not cut off. Splats are summed one by one, so that no other cluster tells
+// whether a receiver whose plane a cluster reaches through sees that cluster: the cluster counts as
+// seen, and inside closed bodies 0.5 to 1 % of the light outside arrives.
 vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density)
 {
   vec3 irradiance = vec3(0.0f);

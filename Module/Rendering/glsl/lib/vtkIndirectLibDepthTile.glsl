@@ -118,15 +118,25 @@ bool vtkiEndsInPerspectiveTile(float inverse, float depth, float facing, float a
  * the receiver hides the receiver. */
 const float VTKI_TILE_CREASE = 1.25f;
 
+/* Step in texels from a receiver's texel to the one of the eight texels around it that lies nearest
+ * to the line from the receiver through the texel's centre. offset: from the receiver to the
+ * centre. */
+vec2 vtkiStepBeyond(vec2 offset)
+{
+  const float least = 0.41421356f; // tangent of 22.5 degrees
+  vec2 size = abs(offset);
+  return vec2(size.x > least * size.y ? (offset.x < 0.0f ? -1.0f : 1.0f) : 0.0f,
+    size.y > least * size.x ? (offset.y < 0.0f ? -1.0f : 1.0f) : 0.0f);
+}
+
 /* True if the surface that a texel shows lies behind the receiver on the receiver's ray, as beyond
  * a crease between the receiver and the texel's centre, where a floor meets a wall. One over the
- * depth is linear over the view on a plane, so that the next texels away from the receiver extend
- * the surface to the receiver. inverse: one over the stored depth; depth: the receiver's; offset:
- * absolute distances from the receiver to the texel's centre along both axes in texels; rise: of
- * inverse from the texel to the next texel along either axis. Needs no division. */
-bool vtkiMeetsInPerspectiveTile(float inverse, float depth, vec2 offset, vec2 rise)
+ * depth is linear over the view on a plane, so that texels farther from the receiver extend the
+ * surface to the receiver. inverse: one over the stored depth; depth: the receiver's; rise: of one
+ * over the surface's depth from the receiver to the texel's centre. Needs no division. */
+bool vtkiMeetsInPerspectiveTile(float inverse, float depth, float rise)
 {
-  return (inverse - dot(offset, rise)) * depth <= 1.0f && inverse * depth <= VTKI_TILE_CREASE;
+  return (inverse - rise) * depth <= 1.0f && inverse * depth <= VTKI_TILE_CREASE;
 }
 
 /* True if a texel shows the receiver's own surface. Values are those of vtkiIsSeenInPerspectiveTile.
