@@ -46,12 +46,12 @@ def cube(smooth: bool, center=(0.0, 0.0, 0.0)) -> vtkActor:
     return mesh(np.add(corners, center), faces, smooth)
 
 
-def ball(center) -> vtkActor:
+def ball(center, facets=32) -> vtkActor:
     source = vtkSphereSource()
     source.SetRadius(0.6)
     source.SetCenter(center)
-    source.SetThetaResolution(32)
-    source.SetPhiResolution(32)
+    source.SetThetaResolution(facets)
+    source.SetPhiResolution(facets)
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(source.GetOutputPort())
     actor = vtkActor()
@@ -282,6 +282,51 @@ class Contact(unittest.TestCase):
             self.assertLess((share < 0.95).sum(), 0.03 * lit.sum())
             self.assertGreater(light["shadows"][lit].sum(), 0.99 * light["plain"][lit].sum())
             self.assertLess(light["plate"][lit].max(), 0.01)
+
+    def test_no_specks_where_a_ball_touches_the_floor(self) -> None:
+        floor = mesh([[0, 0, 2], [2, 0, 2], [2, 0, 0], [0, 0, 0]], [[0, 1, 2, 3]])
+        left = mesh([[0, 0, 0], [0, 2, 0], [0, 2, 2], [0, 0, 2]], [[0, 1, 2, 3]])
+        back = mesh([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0]], [[0, 1, 2, 3]])
+        touching = ball((0, 0, 0), 64)
+        touching.SetScale(0.4 / 0.6)
+        touching.SetPosition(0.6, 0.4, 0.6)
+        left.GetProperty().SetColor(0.9, 0.1, 0.1)
+        back.GetProperty().SetColor(0.1, 0.7, 0.1)
+        eye, focal = (4.2, 2.6, 4.6), (0.8, 0.7, 0.8)
+        actors = [floor, left, back, touching]
+        scene = Scene(self, actors, None, eye, focal, (640, 480), (0, 1, 0))
+        lamp = vtkLight()
+        lamp.PositionalOn()
+        lamp.SetPosition(1.9, 1.9, 1.3)
+        lamp.SetFocalPoint(0.5, 0.4, 0.5)
+        lamp.SetConeAngle(40.0)
+        lamp.SetExponent(0.0)
+        scene.renderer.AddLight(lamp)
+        self.finish(scene)
+        subsplats = scene.read("irradiance").mean(-1)
+        maps = self.gather(scene, "maps")
+        # The shadows of single lights are narrow lines beside the ball.
+        scene.renderer.GetActiveCamera().SetFocalPoint(0.6, 0.0, 0.75)
+        scene.renderer.GetActiveCamera().SetViewAngle(5.0)
+        near, voxels = (self.gather(scene, kind) for kind in ("maps", "voxels"))
+        for name, one, other in (("subsplats", subsplats, maps), ("maps", near, voxels)):
+            least = 0.1 * other.max()
+            dark = (other > least) & (one < 0.85 * np.maximum(other, least))
+            print(f"{name}: darker by 15 % at {dark.sum()} pixels")
+            self.assertLess(dark.sum(), 10)
+
+    def gather(self, scene: Scene, visibility: str) -> np.ndarray:
+        """Irradiance by sums over all lights at every pixel."""
+        vtkindirect.enable(
+            scene.renderer,
+            "gather",
+            lighting="scene",
+            antialiasing=False,
+            interpolation=False,
+            visibility=visibility,
+        )
+        self.finish(scene)
+        return scene.read("irradiance").mean(-1)
 
     def test_the_sky_is_smooth_on_a_cube_of_eight_points(self) -> None:
         scene = Scene(self, [cube(True)], (0.3, -2.0, 1.0), (1.0, -3.2, 1.4), (0, 0, 0), (200, 200))

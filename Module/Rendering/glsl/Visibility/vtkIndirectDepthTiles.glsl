@@ -46,8 +46,11 @@ bool vtkiIsSeenInView(
   vec2 halfSize = vtkiHalfOfView(view.strip, texels);
   vec2 perHalf = perTexel * (view.strip < 0 ? vec2(2.0f, 2.0f) : vec2(4.0f, 4.0f / VTKI_TILE_STRIPS));
   vec2 place = view.away.xy * (1.0f / max(view.away.z, nearest)) * window.xy + window.zw;
-  // A place on the border of the view counts as inside in spite of rounding.
-  bool outside = max(abs(place.x), abs(place.y)) > 1.0001f;
+  // A place on the border of the view counts as inside in spite of rounding. The lowest row of a
+  // strip lies on the light's horizon and shows the facets around the light, beyond which the
+  // branches of a curved cluster see: it counts as outside.
+  float lowestPlace = view.strip < 0 ? -1.0001f : perHalf.y - 1.0f;
+  bool outside = max(abs(place.x), place.y) > 1.0001f || place.y < lowestPlace;
   // Offset in texels from the middle, kept within the view in spite of rounding.
   vec2 at = floor(clamp(place, -0.99999f, 0.99999f) * halfSize) + 0.5f;
   vec2 ray = at * perHalf * tangents.xy + tangents.zw;
