@@ -20,8 +20,12 @@ vec3 vtkiTexelPosition(ivec2 texel, float depth)
 // may lie: vtkiEndsInPerspectiveTile then finds no end.
 const float VTKI_ENDLESS_FACET = 0.001f;
 
+// Facets that are turned more from their shading normal than this belong to a mesh of few facets,
+// whose samples must stand before the curved surface to be lit where their normals say so.
+const float VTKI_FINE_FACET_COSINE = 0.95f;
+
 // Moves a texel's sample along its ray to the facet in the texel's middle, if that facet is on the
-// sample's surface, and returns the facet's normal: levels store mean normals, and their samples
+// sample's surface and of a fine mesh, and returns the facet's normal: levels store mean normals, and their samples
 // stand before curved surfaces, where depth maps show something else. The background in the texel's
 // middle makes the facet an endless one.
 vec3 vtkiPlaceSample(ivec2 texel, vec3 normalVC, inout vec3 positionVC)
@@ -34,14 +38,15 @@ vec3 vtkiPlaceSample(ivec2 texel, vec3 normalVC, inout vec3 positionVC)
     vtkiRayOrigin, vtkiRayDirection);
   float depth = -positionVC.z;
   float width = vtkiPixelWidth(depth);
-  bool same = vtkiSurfaceIsLit(surface) &&
-    dot(vtkiSurfaceNormal(surface), normalVC) >= VTKI_INTERPOLATION_COSINE &&
+  bool lit = vtkiSurfaceIsLit(surface);
+  vec3 shading = vtkiSurfaceNormal(surface);
+  bool same = lit && dot(shading, normalVC) >= VTKI_INTERPOLATION_COSINE;
+  vec3 facet = same ? vtkiSurfaceFacet(surface) : (lit ? 1.0f : VTKI_ENDLESS_FACET) * normalVC;
+  bool moves = same && dot(facet, shading) >= VTKI_FINE_FACET_COSINE &&
     abs(dot(normalVC, place - positionVC)) <= vtkiSamePlane * vtkiEdge * width;
-  vec3 facet = same ? vtkiSurfaceFacet(surface)
-                    : (vtkiSurfaceIsLit(surface) ? 1.0f : VTKI_ENDLESS_FACET) * normalVC;
   float onFacet = vtkiPlaneDepth(facet, place, vtkiRayOrigin * vec3(center, 1.0f),
     vtkiRayDirection * vec3(center, 1.0f), depth - farthest * width, depth + farthest * width);
-  positionVC = vtkiReconstruct(center, same ? onFacet : depth, vtkiRayOrigin, vtkiRayDirection);
+  positionVC = vtkiReconstruct(center, moves ? onFacet : depth, vtkiRayOrigin, vtkiRayDirection);
   return facet;
 }
 
