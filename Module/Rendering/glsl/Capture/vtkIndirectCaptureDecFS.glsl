@@ -32,7 +32,7 @@ vec3 vtkiFacetWay = vec3(0.0f);
 
 // The shading normal is the facet's own at the facet's middle and turns from there: its tilt over
 // its turn is the distance from the middle. The turn is the root of the sum of both squared
-// curvatures over two, that of a sphere. dx, dy: change of the position over a pixel; facet: their
+// curvatures over two, that of a sphere. Inside a hollow no pixel has a way. dx, dy: change of the position over a pixel; facet: their
 // cross product.
 vec3 vtkiFindFacetWay(vec3 dx, vec3 dy, vec3 facet, vec3 normal)
 {
@@ -44,7 +44,9 @@ vec3 vtkiFindFacetWay(vec3 dx, vec3 dy, vec3 facet, vec3 normal)
   float upright = dot(normal, facet);
   vec3 tilt = normal * length2 - facet * upright; // times length2
   float scale = upright * upright * turn2;
-  return scale > 0.0f ? tilt * inversesqrt(0.5f * scale) : vec3(0.0f);
+  // The divergence of normals is positive on convex surfaces.
+  float divergence = dot(facet, cross(turnX, dy) + cross(dx, turnY));
+  return scale > 0.0f && divergence > 0.0f ? tilt * inversesqrt(0.5f * scale) : vec3(0.0f);
 }
 
 // Unit normal of the facet at a position, on the side of its shading normal; the shading normal
