@@ -32,8 +32,8 @@ vec3 vtkiFacetWay = vec3(0.0f);
 
 // The shading normal is the facet's own at the facet's middle and turns from there: its tilt over
 // its turn is the distance from the middle. The turn is the root of the sum of both squared
-// curvatures over two, that of a sphere. Inside a hollow no pixel has a way. dx, dy: change of the position over a pixel; facet: their
-// cross product.
+// curvatures over two, that of a sphere. Inside a hollow no pixel has a way. dx, dy: change of the
+// position over a pixel; facet: their cross product.
 vec3 vtkiFindFacetWay(vec3 dx, vec3 dy, vec3 facet, vec3 normal)
 {
   vec3 turnX = dFdx(normal);
@@ -78,8 +78,8 @@ const float VTKI_POSITION_ROUNDING = 4.8e-7f;
 // Moves a position towards a light at the origin, or along z, past neighbouring facets of the same
 // surface. It moves where the facet faces away from the light and the shading normal does not: the
 // curved surface that the facets approximate is lit there, and neighbouring facets lie in front of
-// the facet. A neighbour as large as the facet hides the pixel by at most three times the pixel's distance
-// from the facet's middle, near the common edge. All is in the light's frame; way: vtkiFacetWay.
+// the facet. A neighbour as large as the facet hides the pixel by at most three times the pixel's
+// distance from the facet's middle. All is in the light's frame; way: vtkiFacetWay.
 //   Another body within this distance hides nothing from such pixels either: too bright.
 vec3 vtkiLeaveFacets(bool parallel, vec3 p, vec3 facet, vec3 way)
 {

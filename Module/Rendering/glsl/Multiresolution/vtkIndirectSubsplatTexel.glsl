@@ -25,9 +25,9 @@ const float VTKI_ENDLESS_FACET = 0.001f;
 const float VTKI_FINE_FACET_COSINE = 0.95f;
 
 // Moves a texel's sample along its ray to the facet in the texel's middle, if that facet is on the
-// sample's surface and of a fine mesh, and returns the facet's normal: levels store mean normals, and their samples
-// stand before curved surfaces, where depth maps show something else. The background in the texel's
-// middle makes the facet an endless one.
+// sample's surface and of a fine mesh, and returns the facet's normal: levels store mean normals,
+// and their samples stand before curved surfaces, where depth maps show something else. The
+// background in the texel's middle makes the facet an endless one.
 vec3 vtkiPlaceSample(ivec2 texel, vec3 normalVC, inout vec3 positionVC)
 {
   const float farthest = 16.0f; // move in pixel widths
