@@ -22,9 +22,7 @@ void main()
 #ifdef VTKI_EVALUATE
   vec3 evaluated;
   vec3 evaluatedVector;
-  vec3 place = position;
-  vec3 facet = vtkiPlaceSample(texel, normal, place);
-  vtkiEvaluateStored(place, normal, facet, leaf, evaluated, evaluatedVector);
+  vtkiEvaluateStored(position, normal, vtkiTexelFacet(texel, normal), leaf, evaluated, evaluatedVector);
   irradiance = leaf ? evaluated : irradiance;
   vectorIrradiance = leaf ? evaluatedVector : vectorIrradiance;
 #else
