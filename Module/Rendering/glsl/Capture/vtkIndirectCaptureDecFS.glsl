@@ -50,7 +50,8 @@ vec3 vtkiFindFacetWay(vec3 dx, vec3 dy, vec3 facet, vec3 normal)
 }
 
 // Unit normal of the facet at a position, on the side of its shading normal; the shading normal
-// itself where the two differ by less than the derivatives of the position can resolve.
+// itself where the two differ by less than the derivatives of the position can resolve. Sets
+// vtkiFacetWay, too.
 vec3 vtkiFacetNormal(vec3 position, vec3 normal)
 {
   vec3 dx = dFdx(position);
@@ -79,10 +80,11 @@ const float VTKI_POSITION_ROUNDING = 4.8e-7f;
 // surface. It moves where the facet faces away from the light and the shading normal does not: the
 // curved surface that the facets approximate is lit there, and neighbouring facets lie in front of
 // the facet. A neighbour as large as the facet hides the pixel by at most three times the pixel's
-// distance from the facet's middle. All is in the light's frame; way: vtkiFacetWay.
+// distance from the facet's middle. p, facet: in the light's frame.
 //   Another body within this distance hides nothing from such pixels either: too bright.
-vec3 vtkiLeaveFacets(bool parallel, vec3 p, vec3 facet, vec3 way)
+vec3 vtkiLeaveFacets(mat3x4 viewToLight, bool parallel, vec3 p, vec3 facet)
 {
+  vec3 way = vec4(vtkiFacetWay / vtkiSceneScale, 0.0f) * viewToLight;
   float most = parallel ? 1.0f : 0.5f * length(p);
   vec3 toLight = parallel ? vec3(0.0f, 0.0f, 1.0f) : p * (-0.5f / max(most, 1.0e-15f));
   float distance = dot(facet, toLight) < 0.0f ? 3.0f * dot(way, toLight) : 0.0f;
@@ -106,7 +108,7 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   vec3 n = vec4(normalVC * scale, 0.0f) * viewToLight;
   vec3 facet = vec4(facetNormalVC * scale, 0.0f) * viewToLight;
   bool parallel = projection == VTKI_MAP_PARALLEL;
-  p = vtkiLeaveFacets(parallel, p, facet, vec4(vtkiFacetWay * scale, 0.0f) * viewToLight);
+  p = vtkiLeaveFacets(viewToLight, parallel, p, facet);
   int face = 0;
   if (projection == VTKI_MAP_FACES && int(map.y + 0.5f) == VTKI_MAP_FACES)
   {

@@ -63,7 +63,7 @@ float vtkiPenumbra(mat3x4 viewToLight, vec4 map, vec4 depthRange, vec4 size, int
   vec3 facet = vec4(facetNormalVC * scale, 0.0f) * viewToLight;
   float rounding = VTKI_POSITION_ROUNDING * (vtkiMagnitude + length(p));
   bool parallel = projection == VTKI_MAP_PARALLEL;
-  p = vtkiLeaveFacets(parallel, p, facet, vec4(vtkiFacetWay * scale, 0.0f) * viewToLight);
+  p = vtkiLeaveFacets(viewToLight, parallel, p, facet);
   bool cube = projection == VTKI_MAP_FACES && int(map.y + 0.5f) == VTKI_MAP_FACES;
   vec2 sum = vec2(0.0f);
   vtkiLightPairs pairs = vtkiBeginLightPairs();
