@@ -352,7 +352,7 @@ bool vtkIndirectTriangleTree::Clip(
 
 //------------------------------------------------------------------------------
 // Calls for the number of each triangle and sphere whose box the line meets before the limit, which
-// the call may lower. The nearest boxes come first.
+// the call may lower, until a call returns false. The nearest boxes come first.
 template <typename Call>
 void vtkIndirectTriangleTree::Walk(const Line& line, float& limit, Call call) const
 {
@@ -393,7 +393,10 @@ void vtkIndirectTriangleTree::Walk(const Line& line, float& limit, Call call) co
       }
       for (uint32_t k = node.First[i]; k < node.First[i] + node.Count[i]; ++k)
       {
-        call(k);
+        if (!call(k))
+        {
+          return;
+        }
       }
     }
   }
@@ -411,17 +414,16 @@ bool vtkIndirectTriangleTree::IsBlocked(const glm::dvec3& start, const glm::dvec
   }
   const Ray ray(start, way);
   const Line line(start + enter * way - this->Origin, glm::vec3((leave - enter) * way));
+  bool blocked = false;
   float limit = 1.0f;
   this->Walk(line, limit,
     [&](uint32_t k)
     {
       const Triangle& triangle = this->Triangles[k];
-      if (triangle.IsSphere() ? triangle.SphereCrosses(start, way) : ray.Crosses(triangle))
-      {
-        limit = -1.0f; // ends the walk
-      }
+      blocked = triangle.IsSphere() ? triangle.SphereCrosses(start, way) : ray.Crosses(triangle);
+      return !blocked;
     });
-  return limit < 0.0f;
+  return blocked;
 }
 
 //------------------------------------------------------------------------------
@@ -453,7 +455,7 @@ bool vtkIndirectTriangleTree::FindNearest(
                              : ray.Meets(triangle, weights, determinant, t));
       if (!meets || !(t / determinant < least))
       {
-        return;
+        return true;
       }
       least = t / determinant;
       hit.Triangle = this->Numbers[k];
@@ -464,6 +466,7 @@ bool vtkIndirectTriangleTree::FindNearest(
       }
       // Boxes are wider than the rounding to floats; the limit gets the same margin.
       limit = static_cast<float>((least - enter) / length + 2.0 * Padding);
+      return true;
     });
   return hit.Triangle != None;
 }
