@@ -82,7 +82,7 @@ void vtkIndirectRevision::AddMatrix(vtkMatrix4x4* matrix)
 void vtkIndirectRevision::AddData(vtkDataObject* data)
 {
   this->AddObject(data);
-  if (data && data->IsA("vtkCompositeDataSet"))
+  if (vtkCompositeDataSet::SafeDownCast(data))
   {
     vtkIndirectActors::ForEachBlock<vtkDataObject>(
       data, [this](vtkDataObject* block) { this->AddObject(block); });

@@ -296,9 +296,7 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   {
     return false;
   }
-  vtkOpenGLState* state = frame.Window->GetState();
   vtkIndirectFullScreenState kernelState(frame.Window);
-  state->vtkglBlendFunc(GL_ONE, GL_ONE);
   bool done = true;
   if (this->Summed.empty())
   {
@@ -311,9 +309,7 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
     done = this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
       this->FilterColumns(input);
   }
-  done = done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
-  state->vtkglDisable(GL_BLEND);
-  return done;
+  return done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
 }
 
 //------------------------------------------------------------------------------
@@ -369,8 +365,8 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   if (adds)
   {
     sums.Clear();
-    state->vtkglEnable(GL_BLEND);
   }
+  const vtkIndirectAddition addition(input.Frame.Window, adds);
   this->Activate(input, &group, program);
   for (int i = 0; i < step * step; ++i)
   {
@@ -389,7 +385,6 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
       glFlush();
     }
   }
-  state->vtkglDisable(GL_BLEND);
   sums.End();
   return true;
 }
@@ -445,10 +440,10 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
   const Group& group = this->Groups[Strong];
   const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
   this->StrongKernel.SetDefinitions(this->GetDefinitions(SumBlock, 1) + "#define VTKI_FILTERED\n");
+  const vtkIndirectAddition addition(input.Frame.Window);
   return this->StrongKernel.Run(input.Frame.Window, this->Irradiance,
     [&](const vtkIndirectProgram& program)
     {
-      input.Frame.Window->GetState()->vtkglEnable(GL_BLEND);
       this->Activate(input, &group, program);
       // There are at most 32 strong directions.
       this->SetBlock(input, program, group, terms, 0, SumBlock);
