@@ -83,6 +83,16 @@ class Scene:
         self.renderer.ResetCameraClippingRange()
         self.indirect = vtkindirect.enable(self.renderer, lighting="scene", antialiasing=False)
 
+    def add_spot(self, position, focal, cone: float, exponent: float) -> None:
+        lamp = vtkLight()
+        lamp.SetLightTypeToSceneLight()
+        lamp.PositionalOn()
+        lamp.SetPosition(*position)
+        lamp.SetFocalPoint(*focal)
+        lamp.SetConeAngle(cone)
+        lamp.SetExponent(exponent)
+        self.renderer.AddLight(lamp)
+
     def read(self, name: str) -> np.ndarray:
         return np.array(vtkindirect.copy_buffer(self.renderer, name))
 
@@ -295,13 +305,7 @@ class Contact(unittest.TestCase):
         eye, focal = (4.2, 2.6, 4.6), (0.8, 0.7, 0.8)
         actors = [floor, left, back, touching]
         scene = Scene(self, actors, None, eye, focal, (640, 480), (0, 1, 0))
-        lamp = vtkLight()
-        lamp.PositionalOn()
-        lamp.SetPosition(1.9, 1.9, 1.3)
-        lamp.SetFocalPoint(0.5, 0.4, 0.5)
-        lamp.SetConeAngle(40.0)
-        lamp.SetExponent(0.0)
-        scene.renderer.AddLight(lamp)
+        scene.add_spot((1.9, 1.9, 1.3), (0.5, 0.4, 0.5), 40.0, 0.0)
         # The shadows of single lights are narrow lines beside the ball.
         scene.renderer.GetActiveCamera().SetFocalPoint(0.6, 0.0, 0.75)
         scene.renderer.GetActiveCamera().SetViewAngle(5.0)
@@ -354,13 +358,7 @@ class Contact(unittest.TestCase):
         eye, focal = (0.9, 0.8, 0.6), (-0.5, -0.6, -0.5)
         scene = Scene(self, [room, board], None, eye, focal, (320, 240))
         scene.renderer.GetActiveCamera().SetViewAngle(60.0)
-        lamp = vtkLight()
-        lamp.SetLightTypeToSceneLight()
-        lamp.PositionalOn()
-        lamp.SetConeAngle(50.0)
-        lamp.SetPosition(0.2, -0.1, 0.5)
-        lamp.SetFocalPoint(0.4, 0.6, 1.5)
-        scene.renderer.AddLight(lamp)
+        scene.add_spot((0.2, -0.1, 0.5), (0.4, 0.6, 1.5), 50.0, 1.0)
         self.finish(scene)
         # At corners of the board a texel's neighbours lie beyond another edge: 183. Without texels'
         # neighbours 987 pixels are off. Moving frames read one neighbour: 252, without it 942.
