@@ -115,6 +115,7 @@ void vtkIndirectCaptureText::Add(
   const bool lit = positioned && Contains(fragmentShader, "normalVCVSOutput");
   const bool pbr = Contains(fragmentShader, "vec3 albedo =");
   const bool textured = !pbr && Contains(fragmentShader, "vec4 tcolor =");
+  std::string depth = positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()";
 
   // Multiplies VTK's own light colours by the visibility of each light.
   std::string visibility;
@@ -152,8 +153,10 @@ void vtkIndirectCaptureText::Add(
                 : "vtkiDepthSlope(-vertexVC.z * vtkiSceneScale);\n") +
       (analytic ? "  vec3 vtkiFacetNormalVC = normalVCVSOutput;\n"
                 : "  vec3 vtkiFacetNormalVC =\n"
-                  "    vtkiFacetNormal(vertexVC.xyz * vtkiSceneScale, normalVCVSOutput);\n") +
+                  "    vtkiFacetNormal(vertexVC.xyz * vtkiSceneScale, normalVCVSOutput);\n"
+                  "  float vtkiRayDepth = vtkiDepthOnRay(vertexVC.xyz * vtkiSceneScale);\n") +
       this->LightConstants.GetDeclarations(fragmentShader) + visibility;
+    depth = analytic ? depth : "vtkiRayDepth";
   }
   ReplaceAll(fragmentShader, PreLightMarker, visibility);
 
@@ -210,7 +213,7 @@ void vtkIndirectCaptureText::Add(
   declarations += std::string("#define VTKI_NORMAL ") + (lit ? "normalVCVSOutput" : "vec3(0.0)") +
     "\n#define VTKI_FACET " + (lit ? "vtkiFacetNormalVC" : "vec3(0.0)") + "\n#define VTKI_SLOPE " +
     (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind + "\n#define VTKI_DEPTH " +
-    (positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()") +
+    depth +
     // VTK's PBR divides diffuse reflection by pi, its Phong does not.
     "\n#define VTKI_SENDER_SCALE " +
     (pbr ? "(vtkiMapLight.z * vtkiEncoded / VTKI_PI)" : "vtkiMapLight.z") + "\n";

@@ -13,7 +13,8 @@ struct vtkIndirectMapView
   bool Parallel = true;    // the projection
   double Near = 0.0;       // along a face's axis
   double Far = 1.0;
-  double TexelWidth = 1.0; // tangents (perspective) or scene units (parallel)
+  double HalfWidth = 1.0;  // tangents (perspective) or scene units (parallel)
+  double TexelWidth = 1.0; // in the same unit
 };
 
 /** A map that shadows are looked up in. */

@@ -261,7 +261,7 @@ double vtkIndirectLightMap::FindTexelAt(const glm::dvec3& place, int texels) con
 vtkIndirectMapView vtkIndirectLightMap::GetView(int texels) const
 {
   return { this->Light.Positional, this->Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL,
-    this->Near, this->Far, 2.0 * this->HalfWidth / texels };
+    this->Near, this->Far, this->HalfWidth, 2.0 * this->HalfWidth / texels };
 }
 
 //------------------------------------------------------------------------------

@@ -10,6 +10,8 @@ uniform int vtkiAlbedoInAlpha;  // 1: albedo takes the place of alpha, which is 
 uniform int vtkiNumber;         // number of the prop's faces, or of its lines and points
 uniform float vtkiSceneScale;   // scene units per world unit
 uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
+uniform vec4 vtkiPixelRays;     // of gl_FragCoord: times xy plus zw; see vtkiDepthOnRay
+uniform vec3 vtkiRaysMeet;      // where all rays of a perspective meet [scene units]
 
 #ifdef VTKI_SHADOWS
 uniform float vtkiMagnitude; // size of the numbers whose differences are positions [scene units]
@@ -25,6 +27,10 @@ uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene u
 // facet.
 const float VTKI_FACET_SINE2 = 1.0e-5f;
 const float VTKI_FACET_ROUNDING = 1.0e-6f;
+
+// Pixels that a position may lie beside its ray: corners are rounded by half of 1/16 at most, which
+// is the coarsest that OpenGL allows. Lines and points lie farther.
+const float VTKI_MOST_BESIDE = 0.03125f;
 
 // The way from the middle of a pixel's facet to the pixel [scene units], in view coordinates; see
 // vtkiLeaveFacets.
@@ -127,7 +133,8 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
     return 1.0f;
   }
   vec2 ndc = p.xy / (parallel ? map.z : depth * map.z);
-  if (max(abs(ndc.x), abs(ndc.y)) > 1.0f)
+  // Where two faces meet, a GPU's division may put a position beyond either.
+  if (max(abs(ndc.x), abs(ndc.y)) > 1.00001f)
   {
     return 1.0f;
   }
@@ -218,6 +225,23 @@ vec2 vtkiNormalSlope(vec3 normal, vec3 place)
   bool positional = vtkiMapLight.x > 0.5f;
   float across = positional ? dot(normal, place) / min(place.z, -1.0e-30f) : normal.z;
   return normal.xy * ((positional ? -1.0f : 1.0f) / (across < 0.0f ? min(across, -least) : max(across, least)));
+}
+
+// Depth of the plane of a triangle where the ray through the middle of the pixel meets it. A GPU
+// rounds a triangle's corners to fractions of a pixel (GL_SUBPIXEL_BITS, mostly 1/256) before it
+// interpolates, so that a position lies on the plane beside the ray. position: in view coordinates
+// [scene units]. Rays are tangents of a perspective, or places of a parallel projection.
+float vtkiDepthOnRay(vec3 position)
+{
+  bool parallel = vtkiDepthRange.z > 0.5f;
+  float depth = -position.z;
+  float along = parallel ? 1.0f : depth + vtkiRaysMeet.z;
+  vec2 ray = gl_FragCoord.xy * vtkiPixelRays.xy + vtkiPixelRays.zw;
+  vec2 beside = (ray - (position.xy - vtkiRaysMeet.xy) / along) / vtkiPixelRays.xy;
+  // Affine on the plane: the depth of a parallel projection, the inverse depth of a perspective.
+  float s = parallel ? depth : 1.0f / along;
+  float change = dot(vec2(dFdx(s), dFdy(s)), clamp(beside, -VTKI_MOST_BESIDE, VTKI_MOST_BESIDE));
+  return parallel ? depth + change : depth - along * change / (s + change);
 }
 
 float vtkiLinearDepth()

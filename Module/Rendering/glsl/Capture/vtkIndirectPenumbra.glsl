@@ -6,6 +6,10 @@
 // Depths of a texel, of the next texel in the row, and of the two in the next row.
 uniform sampler2D vtkiPenumbraTiles;
 
+// Texels by which a GPU moves a triangle when it rounds the corners; see vtkiDepthOnRay. These maps
+// hold the depths that OpenGL writes.
+const float VTKI_TILE_SHIFT = 1.0f / 512.0f;
+
 // Visibility of a receiver from one point of the light (x), and its weight: 1, or 0 where the point
 // does not count (y). The receiver's position, normals and place in the map's image, [-1,1], are in
 // the map's view coordinates. tile: the map's number; map, depthRange, size: see vtkiPenumbra;
@@ -26,7 +30,7 @@ vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool pa
   // Half of a texel's diagonal on each side allows for facets that approximate curved surfaces.
   float offset = 2.0f * VTKI_TILE_ROUGHNESS * texel * (parallel ? 1.0f : depth) + rounding;
   float compared = vtkiDepthToBuffer(depth, depthRange.x, depthRange.y, parallel) -
-    VTKI_DEPTH_ROUNDING -
+    VTKI_DEPTH_ROUNDING - VTKI_TILE_SHIFT * (abs(gradient.x) + abs(gradient.y)) -
     offset * vtkiDepthToBufferSlope(depth, depthRange.x, depthRange.y, parallel);
   vec2 at = (0.5f * place + 0.5f) * map.w - 0.5f;
   vec2 first = clamp(floor(at), vec2(0.0f), vec2(map.w - 2.0f));
