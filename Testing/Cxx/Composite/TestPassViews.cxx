@@ -99,7 +99,7 @@ bool CheckView(
 {
   const Mapping mapping = FindMapping(name, buffer, shown, camera);
   // One of the picture's steps is 1/255, and the scale of a map's depths is known to half of one.
-  const double tolerance = name.find("rsm") == 0 && EndsWith(name, ".depth") ? 1.02 : 0.52;
+  const double tolerance = name.find("rsm") == 0 && EndsWith(name, ".depth") ? 1.02 : ByteRounding;
   double worst = 0.0;
   int least = 255;
   int most = 0;

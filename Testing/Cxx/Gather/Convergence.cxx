@@ -157,7 +157,7 @@ void CheckConvergence(Scene& scene, int fewest)
     int far = 0;
     RootMeanSquare(truth, truth.Irradiance, truth.Numbers[i], true, &far);
     CheckAtLeast("receivers far from senders with " + std::to_string(truth.Numbers[i]) + " lights",
-      far, 50, "the test's own power");
+      far, 40, "the test's own power");
   }
   for (const EstimatorEntry& estimator : GetEstimators())
   {

@@ -342,7 +342,8 @@ VTK_INDIRECT_TEST(MapsOfHalfASky)
     scene.SetEye({ 1.9, -2.2 * sign, 1.9 }, { 0, 0, 0 }, { 0, 1, 0 }, 40, 0.5, 9);
     scene.Render();
     Check("its other side is seen", GetLargest(scene.Copy("albedo")) > 0.5);
-    CheckEqual(name + ": its other side", GetLargest(scene.Copy("sky")), 0.0);
+    CheckAtMost(name + ": its other side", GetLargest(scene.Copy("sky")), 1e-7,
+      "0 on llvmpipe; a step of a float on a GPU");
   }
 }
 
