@@ -374,8 +374,8 @@ VTK_INDIRECT_TEST(AntialiasingPlaces)
   const Pixels image = board.Grab();
   CheckSame(expected, Crop(image, 33, 7, 50, 70), "a viewport");
   // 229.5 and 25.5 of 255
-  CONTRACT_CHECK(std::abs(image.Get(32, 40, 0) - 229.5) < 1.0 &&
-      std::abs(image.Get(32, 40, 1) - 25.5) < 1.0,
+  CONTRACT_CHECK(
+    std::abs(image.Get(32, 40, 0) - 229.5) < 1.0 && std::abs(image.Get(32, 40, 1) - 25.5) < 1.0,
     "its neighbour");
 }
 
