@@ -37,10 +37,6 @@ constexpr double BrightnessLength = 0.05;
 constexpr double MostDimness = 4.0;
 constexpr double MostBrightness = 0.5;
 
-// Error of a node above leaves over that of a cluster. A leaf is often a single vertex of a walk,
-// whose area is uncertain: seen from nearby in a crease, such a leaf is a bright spot.
-constexpr double LimitOfLeaves = 7.0;
-
 // How much more a lobe counts the turn of normals than diffuse light does.
 constexpr double LobeTurn = 3.0;
 
@@ -523,7 +519,7 @@ void vtkIndirectSenderClusters::MakeBranches(
   for (size_t i = 0; i < children.size(); ++i)
   {
     Light child = this->MakeLight(children[i], strengths);
-    child.ChildDistance = FindChildDistance(child, children[i], LimitOfLeaves * limit);
+    child.ChildDistance = FindChildDistance(child, children[i], limit);
     MakePatch(child);
     const size_t family = first + i * (perNode + 1);
     all[family] = child;

@@ -29,6 +29,11 @@ public:
    */
   bool Update(const Input& input, const Samplers& samplers);
 
+  /**
+   * Sets the share of their child distance within which nodes above leaves are divided. Default: 1.
+   */
+  void SetChildReach(double reach) { this->ChildReach = static_cast<float>(reach); }
+
   /** Returns true if the samplers' lights are still those of the last update. */
   bool AreThere() const;
 
@@ -98,6 +103,7 @@ private:
   const vtkIndirectTarget* CurrentBranches = nullptr;
   const vtkIndirectTarget* CurrentLobes = nullptr;
   int NumberOfLights = 0;
+  float ChildReach = 1.0f;
   bool WithDirections = false;
   std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> Contents; // samplers of the last
                                                                       // update, and their times

@@ -73,7 +73,7 @@ void vtkiAddBelow(vec3 position, vec3 normal, vec3 open, int light, inout vec3 i
     vtkiFetchBranch(light, place, sender, senderNormal, branch);
     toSender = sender.xyz - position;
     bool isChild = vtkiIsChild(place);
-    below = isChild ? share * vtkiDivision(dot(toSender, toSender), senderNormal.w) : below;
+    below = isChild ? share * vtkiDivisionOfChild(dot(toSender, toSender), senderNormal.w) : below;
     float weight = vtkiSenderWeight(toSender, senderNormal, normal, sender.w, branch.w);
     irradiance += branch.rgb * (weight * (isChild ? share - below : below));
     place = vtkiNextBranch(place, senderNormal.w, below > 0.0f);

@@ -153,7 +153,7 @@ void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
     for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
     {
       vec3 toSender = sender.xyz - position[i];
-      below[i] = isChild ? share[i] * vtkiDivision(dot(toSender, toSender), senderNormal.w) : below[i];
+      below[i] = isChild ? share[i] * vtkiDivisionOfChild(dot(toSender, toSender), senderNormal.w) : below[i];
       nearest = max(nearest, below[i]);
       vtkiAddSeenLight(position[i], normal[i], isChild ? share[i] - below[i] : below[i], branch.w, sender, senderNormal,
         branch.rgb, irradiance[i], vectorIrradiance[i]);

@@ -97,7 +97,7 @@ void vtkiAddBelow(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
     vtkiFetchBranch(light, place, node, nodeNormal, density);
     vec3 toNode = node.xyz - position;
     bool isChild = vtkiIsChild(place);
-    below = isChild ? share * vtkiDivision(dot(toNode, toNode), nodeNormal.w) : below;
+    below = isChild ? share * vtkiDivisionOfChild(dot(toNode, toNode), nodeNormal.w) : below;
     vtkiAddSeenLight(position, normal, isChild ? share - below : below, density.w, node, nodeNormal, density.rgb,
       irradiance, vectorIrradiance);
     place = vtkiNextBranch(place, nodeNormal.w, below > 0.0f);

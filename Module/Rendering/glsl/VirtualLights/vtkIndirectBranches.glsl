@@ -12,12 +12,20 @@ uniform sampler2D vtkiBranchPosition;
 uniform sampler2D vtkiBranchNormal;
 uniform sampler2D vtkiBranchDensity;
 
+uniform float vtkiChildReach; // times the child distances of nodes above leaves
+
 // Share of a cluster's light that comes from its branches: all within eight tenths of its child distance,
 // none beyond it.
 float vtkiDivision(float distance2, float childDistance)
 {
   float childDistance2 = max(childDistance * childDistance, 1.0e-30f);
   return clamp((childDistance2 - distance2) / (0.36f * childDistance2), 0.0f, 1.0f);
+}
+
+// The same of a node above leaves.
+float vtkiDivisionOfChild(float distance2, float childDistance)
+{
+  return vtkiDivision(distance2, vtkiChildReach * childDistance);
 }
 
 // A cluster that reaches through a receiver's plane may have its place behind the plane. Its depth
