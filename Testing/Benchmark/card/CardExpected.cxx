@@ -38,14 +38,14 @@ struct Tolerance
 const char* const Pictures = "the tests of pictures: 4 of 255 at 99 % of the pixels";
 const Tolerance Tolerances[] = {
   { "depth", 1e-4, Scale::Value, 0.005, "interpolated along edges of triangles; silhouettes" },
-  { "normal", 3.0 / 16127.0, Scale::One, 0.01,
-    "KernelParity: a rounding may fall on the next of 16127 steps, gain of 3; silhouettes" },
+  { "normal", 1e-3, Scale::One, 0.01,
+    "interpolated 1/512 of a pixel beside the ray, measured 1.2e-3 at single places; silhouettes" },
   { "albedo", 2e-3, Scale::One, 0.005, "KernelParity: the next of 1023 roots; silhouettes" },
   { "specular", 2e-3, Scale::One, 0.005, "half floats; silhouettes" },
   { "direct", 0.01, Scale::Mean, 0.01, "shadows' edges, silhouettes" },
   { "rsm0.depth", 1e-4, Scale::Value, 0.005, "as depth" },
-  { "rsm0.normal", 3.0 / 16127.0, Scale::One, 0.01, "as normal" },
-  { "rsm0.density", 2e-3, Scale::Mean, 0.01, "half floats, 2^-10; silhouettes" },
+  { "rsm0.normal", 1e-3, Scale::One, 0.01, "as normal" },
+  { "rsm0.density", 2e-3, Scale::Mean, 0.02, "half floats, 2^-10; silhouettes" },
   { "lights", 2e-3, Scale::Column, 0.02,
     "AllTexelsSpot: half floats, 2^-10; lights on silhouettes" },
   { "irradiance", 0.02, Scale::Mean, 0.01,
@@ -57,8 +57,12 @@ const Tolerance Tolerances[] = {
   { "window", 4.0 / 255.0, Scale::One, 0.01, Pictures },
 };
 
-// Of the mean over the whole buffer, where single places do not count.
+// Of the mean over the whole buffer, where single places do not count; and of that where a walk
+// finds the senders, and of its error against the path tracer. Measured 0.0055 and 2.3 % between an
+// H200 and llvmpipe.
 constexpr double MeanLimit = 0.005;
+constexpr double WalkedMeanLimit = 0.01;
+constexpr double ErrorLimit = 0.05;
 
 const Tolerance& FindTolerance(const std::string& buffer)
 {
@@ -117,7 +121,9 @@ std::vector<std::string> card::GetBufferNames(const Method& method)
 {
   if (!method.SetUp)
   {
-    return { "window" };
+    // VTK's own ambient occlusion is here for its time.
+    return method.Name == std::string("ssao") ? std::vector<std::string>{}
+                                              : std::vector<std::string>{ "window" };
   }
   if (method.Name != std::string("automatic"))
   {
@@ -199,8 +205,10 @@ Json card::Expected::Check(const Method& method, const std::string& buffer, cons
   }
   magnitude /= std::max<size_t>(1, expected.size());
 
-  const bool isLight = buffer == "irradiance" || buffer == "indirect";
-  const double allowed = isLight ? method.Share : tolerance.Share;
+  const bool isIndirect = buffer == "irradiance" || buffer == "indirect";
+  const bool isWalked = method.IsWalked() &&
+    (isIndirect || buffer == "lights" || buffer == "final" || buffer == "window");
+  const double allowed = isIndirect || isWalked ? method.Share : tolerance.Share;
   std::map<std::pair<int, int>, double> columns;
   for (size_t i = 0; i < std::min(expected.size(), places.size() * image.Components); ++i)
   {
@@ -257,7 +265,34 @@ Json card::Expected::Check(const Method& method, const std::string& buffer, cons
   result["mean"] = off;
   result["tolerance"] = tolerance.Limit;
   result["allowed_share"] = allowed;
-  result["passed"] = finite && share <= allowed && off <= MeanLimit;
+  result["passed"] = finite && share <= allowed && off <= (isWalked ? WalkedMeanLimit : MeanLimit);
   result["why"] = finite ? tolerance.Why : "there are values that are not finite";
+  return result;
+}
+
+//------------------------------------------------------------------------------
+void card::Expected::RecordError(const std::string& method, double error)
+{
+  this->Values[method]["error"] = error;
+}
+
+//------------------------------------------------------------------------------
+Json card::Expected::CheckError(const Method& method, double error) const
+{
+  Json result = { { "buffer", "error" }, { "passed", false } };
+  if (!this->Values.contains(method.Name) || !this->Values.at(method.Name).contains("error"))
+  {
+    result["why"] = "the pack has no error of it";
+    return result;
+  }
+  const double expected = this->Values.at(method.Name).at("error");
+  const double off = std::abs(error / expected - 1.0);
+  result["worst"] = off;
+  result["share"] = 0.0;
+  result["mean"] = off;
+  result["tolerance"] = ErrorLimit;
+  result["allowed_share"] = 0.0;
+  result["passed"] = off <= ErrorLimit;
+  result["why"] = "nRMSE R3 over that of the processor's picture";
   return result;
 }

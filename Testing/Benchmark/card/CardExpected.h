@@ -32,6 +32,8 @@ public:
 
   /** Keeps what a buffer holds, to be written. */
   void Record(const std::string& method, const std::string& buffer, const Image& image);
+  /** Keeps the error of a method's irradiance against the path tracer, nRMSE R3. */
+  void RecordError(const std::string& method, double error);
   void Write() const;
 
   /**
@@ -40,6 +42,9 @@ public:
    */
   nlohmann::json Check(const Method& method, const std::string& buffer, const Image& image,
     std::vector<std::array<int, 2>>& bad) const;
+
+  /** Compares an error with what was recorded; returns the same. */
+  nlohmann::json CheckError(const Method& method, double error) const;
 
 private:
   std::string Path;

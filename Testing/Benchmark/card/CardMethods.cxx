@@ -36,24 +36,25 @@ const std::vector<card::Method>& card::GetMethods()
   using Hints = vtkRadianceHintsPass;
   constexpr double edges = 0.01; // see Method::Share
   constexpr double grazing = 0.06;
+  constexpr double walked = 1.0;
   static const std::vector<Method> methods = {
     { "vtk", "VTK's plain frame", {}, edges },
     { "ssao", "VTK's screen-space ambient occlusion", {}, edges },
-    { "automatic", "the pass with nothing set", [](Pass*) {}, edges },
+    { "automatic", "the pass with nothing set", [](Pass*) {}, walked },
     { "gather", "256 virtual lights, every fourth pixel", With<Gather>([](Gather*, Pass*) {}),
-      edges },
+      walked },
     { "gather-every-pixel", "256 virtual lights",
-      With<Gather>([](Gather* gather, Pass*) { gather->InterpolationOff(); }), edges },
+      With<Gather>([](Gather* gather, Pass*) { gather->InterpolationOff(); }), walked },
     { "gather-neighborhood", "256 texels about the receiver's place in each map",
       With<Gather>([](Gather* gather, Pass*) { gather->SetModeToNeighborhood(); }), grazing },
     { "multiresolution-half", "finest subsplats of two by two pixels",
       With<Multiresolution>(
         [](Multiresolution* splatting, Pass*) { splatting->SetFinestLevelToHalfResolution(); }),
-      edges },
+      walked },
     { "multiresolution-occupancy", "with visibility by voxels",
       With<Multiresolution>(
         [](Multiresolution* splatting, Pass*) { splatting->SetOccupancy(true); }),
-      grazing },
+      walked },
     { "hints", "radiance hints, one bounce", With<Hints>([](Hints*, Pass*) {}), grazing },
     { "hints-8", "radiance hints, eight bounces",
       With<Hints>([](Hints*, Pass* pass) { pass->SetNumberOfBounces(8); }), grazing },

@@ -153,6 +153,10 @@ Json Stage::Check(const card::Method& method, const std::string& label,
           { "relmse", errors.Relative }, { "bias", errors.Bias },
           { "receivers", errors.Receivers } };
       }
+      if (method.IsWalked())
+      {
+        checks.push_back(this->Values->CheckError(method, result["errors"]["R3"]["nrmse"]));
+      }
     }
   }
   return checks;
@@ -323,7 +327,15 @@ void card::Record(const Options& options)
         stage.Get().Window->Render();
         for (const std::string& buffer : GetBufferNames(method))
         {
-          stage.GetExpected().Record(method.Name, buffer, stage.Copy(pass, buffer));
+          const card::Image image = stage.Copy(pass, buffer);
+          stage.GetExpected().Record(method.Name, buffer, image);
+          if (buffer == "irradiance" && method.IsWalked())
+          {
+            card::Scene& judge = stage.Get();
+            stage.GetExpected().RecordError(method.Name,
+              card::Compare(image, judge.GetReference("R3"), judge.GetReference("mask"))
+                .RootMeanSquare);
+          }
         }
         stage.Get().Renderer->SetPass(nullptr);
       }
