@@ -241,6 +241,8 @@ float vtkiDepthOnRay(vec3 position)
   // Affine on the plane: the depth of a parallel projection, the inverse depth of a perspective.
   float s = parallel ? depth : 1.0f / along;
   float change = dot(vec2(dFdx(s), dFdy(s)), clamp(beside, -VTKI_MOST_BESIDE, VTKI_MOST_BESIDE));
+  // Derivatives on triangles seen from their edge may be anything, infinite and no number, too.
+  change = abs(change) < (parallel ? 1.0f : 0.125f * s) ? change : 0.0f;
   return parallel ? depth + change : depth - along * change / (s + change);
 }
 
