@@ -57,11 +57,11 @@ const Tolerance Tolerances[] = {
   { "window", 4.0 / 255.0, Scale::One, 0.01, Pictures },
 };
 
-// Of the mean over the whole buffer, where single places do not count; and of that where a walk
-// finds the senders, and of its error against the path tracer. Measured 0.0055 and 2.3 % between an
-// H200 and llvmpipe.
+// The mean over a whole buffer may differ by this share: single places do not count there.
 constexpr double MeanLimit = 0.005;
+// The same where a walk finds the senders: an H200 and llvmpipe differ by 0.0055.
 constexpr double WalkedMeanLimit = 0.01;
+// The error against the path tracer may differ by this share: these differ by 0.023.
 constexpr double ErrorLimit = 0.05;
 
 const Tolerance& FindTolerance(const std::string& buffer)

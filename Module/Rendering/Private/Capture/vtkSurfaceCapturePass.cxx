@@ -7,6 +7,7 @@
 #include "Capture/vtkIndirectCaptureText.h"
 #include "Capture/vtkIndirectGeometryChannels.h"
 #include "Capture/vtkIndirectLightConstants.h"
+#include "Capture/vtkIndirectPixelRays.h"
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectBackEndChoices.h"
@@ -63,8 +64,7 @@ struct vtkSurfaceCapturePass::Internals
   float Magnitude = 0.0f;
   float DepthRange[3] = { 0.0f, 1.0f, 0.0f };
   int StageIsParallel = 0;
-  glm::vec4 PixelRays{ 1.0f };
-  glm::vec3 RaysMeet{ 0.0f };
+  vtkIndirectPixelRays PixelRays;
   bool Encoded = false; // the stage has drawn encoded colours
   vtkIndirectCaptureLights Lights;
   int ShadowUnit = -1;
@@ -156,22 +156,7 @@ struct vtkSurfaceCapturePass::Internals
   glm::dvec3 SceneCenter{ 0.0 };
 
   void SetWithin(vtkShaderProgram* program, vtkProp* prop) const;
-  void SetEyeRays(const vtkIndirectFrame& frame);
 };
-
-//------------------------------------------------------------------------------
-// Rays of the eye's pixels: see vtkiDepthOnRay, and vtkiReconstruct, which puts pixels on them.
-void vtkSurfaceCapturePass::Internals::SetEyeRays(const vtkIndirectFrame& frame)
-{
-  const glm::dmat3& rays = frame.Parallel ? frame.RayOrigin : frame.RayDirection;
-  const glm::dvec2 pixel(2.0 * rays[0].x / frame.Size[0], 2.0 * rays[1].y / frame.Size[1]);
-  const glm::dvec2 first = glm::dvec2(rays[2].x - rays[0].x, rays[2].y - rays[1].y);
-  this->PixelRays = glm::vec4(pixel, first);
-  const double meet = frame.Parallel ? 0.0 : frame.RayOrigin[0].x / frame.RayDirection[0].x;
-  this->RaysMeet = frame.Parallel
-    ? glm::vec3(0.0f)
-    : glm::vec3(glm::dvec2(frame.RayOrigin[2] - meet * frame.RayDirection[2]), meet);
-}
 
 //------------------------------------------------------------------------------
 // Sets the uniforms of CountFromWithin in vtkIndirectCaptureText.cxx: positions relative to the
@@ -330,7 +315,7 @@ void vtkSurfaceCapturePass::BeginEye(const vtkIndirectFrame& frame,
   in.DepthRange[0] = static_cast<float>(frame.Near);
   in.DepthRange[1] = static_cast<float>(frame.Far);
   in.DepthRange[2] = frame.Parallel ? 1.0f : 0.0f;
-  in.SetEyeRays(frame);
+  in.PixelRays = vtkIndirectPixelRays::Make(frame);
   in.Camera = frame.Renderer->GetActiveCamera();
   in.Renderer = frame.Renderer;
   in.SceneCenter = frame.SceneCenter;
@@ -372,8 +357,7 @@ void vtkSurfaceCapturePass::BeginMap(const vtkIndirectFrame& frame, const vtkInd
   in.DepthRange[0] = static_cast<float>(map.Near);
   in.DepthRange[1] = static_cast<float>(map.Far);
   in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
-  in.PixelRays = glm::vec4(map.TexelWidth, map.TexelWidth, -map.HalfWidth, -map.HalfWidth);
-  in.RaysMeet = glm::vec3(0.0f);
+  in.PixelRays = vtkIndirectPixelRays::Make(map);
   in.Camera = frame.Renderer->GetActiveCamera();
   in.Renderer = frame.Renderer;
   in.SceneCenter = frame.SceneCenter;
@@ -528,8 +512,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   }
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
-  program->SetUniform4f("vtkiPixelRays", glm::value_ptr(in.PixelRays));
-  program->SetUniform3f("vtkiRaysMeet", glm::value_ptr(in.RaysMeet));
+  in.PixelRays.SetUniforms(program);
   in.SetWithin(program, prop);
   if (program->IsUniformUsed("vtkiMagnitude"))
   {

@@ -393,6 +393,7 @@ void vtkIndirectFrame::SetUpEye()
     this->RayOrigin[i] = i < 2 ? origin[i] - origin[2] : origin[2];
     this->RayDirection[i] = i < 2 ? direction[i] - direction[2] : direction[2];
   }
+  this->RaysMeet = glm::dvec3(0.0);
   if (!this->Parallel && this->Projection[2][3] != 0.0)
   {
     // All rays of a perspective meet where both coordinates of the image and the divisor are zero:
@@ -402,6 +403,7 @@ void vtkIndirectFrame::SetUpEye()
       glm::transpose(glm::dmat3{ glm::dvec3(rows[0]), glm::dvec3(rows[1]), glm::dvec3(rows[3]) });
     const glm::dvec3 eye =
       this->SceneScale * (glm::inverse(meeting) * -glm::dvec3{ rows[0].w, rows[1].w, rows[3].w });
+    this->RaysMeet = eye;
     this->RayOrigin = eye.z * this->RayDirection;
     this->RayOrigin[2] += eye;
   }

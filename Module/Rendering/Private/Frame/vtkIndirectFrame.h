@@ -136,6 +136,7 @@ struct vtkIndirectFrame
   glm::dmat4 Projection{ 1.0 };  // of unscaled view coordinates
   glm::dmat3 RayOrigin{ 0.0 };   // see vtkiReconstruct
   glm::dmat3 RayDirection{ 0.0 };
+  glm::dvec3 RaysMeet{ 0.0 }; // where all rays of a perspective meet
 
   /**
    * Reads the scene. The eye is set up only if something opaque is in a viewport of any size. If
