@@ -35,10 +35,12 @@ import page
 import plot
 import reference_environment
 import ssao
-from reference_environment import Flip, Traced
+from reference_environment import Denoiser, Flip, Traced
 
 YARDSTICKS = (compare.NOTHING, compare.SSAO)
 TRACER = "mitsuba"
+DENOISED = "denoised"
+"""Word in the label of a path tracer's row whose image is denoised."""
 CURVES = {"one_bounce": "one bounce", "all_bounces": "all bounces"}
 """The path tracer's curves: it converges to R2 and to R3."""
 LIGHTS_ALONE = {
@@ -64,7 +66,8 @@ class Comparison:
     """Python of the reference environment, or None."""
     flip: Flip | None = None
     left_out: dict[str, str] = field(default_factory=dict)
-    """Why there is no HDR-FLIP or no path tracer, by its name."""
+    """Why there is no HDR-FLIP, no path tracer or no denoiser, by its name."""
+    denoiser: Denoiser | None = None
 
     @property
     def journal(self) -> Path:
@@ -132,6 +135,7 @@ class Run(compare.Run):
             },
         }
         self._truth: orbit.Truth | Exception | None = None
+        self._normal: np.ndarray | None = None
         if comparison.sweep.flicker and not self.with_errors:
             self.missing["flicker"] = self.missing["errors"]
         if not references.has_r1(scene):
@@ -276,8 +280,20 @@ class Run(compare.Run):
         result.update(self.judged(row, {references.ALL_LIGHT: traced.image}))
         return result
 
-    def _trace(self, rows: list[Row], step: Callable[[Row], None]) -> Iterator[Result]:
-        """Results of the path tracer's rows, by one process for all of them."""
+    def _denoised(self, row: Row, traced: Traced) -> Result:
+        """Times and errors of a traced image after denoising, guided by the normals of its pixels."""
+        assert self.comparison.denoiser is not None
+        if self._normal is None:
+            methods.enable(self.scene.renderer, "gather", NumberOfLights=1)
+            self.scene.render_window.Render()
+            self._normal = images.copy_buffer(self.scene.renderer, "normal")
+            methods.disable(self.scene.renderer)
+        image, seconds = self.comparison.denoiser.denoised(traced.image, self._normal)
+        times = [second + seconds for second in traced.seconds]
+        return self._traced(row, Traced(traced.name, image, times))
+
+    def _trace(self, rows: list[Row], step: Callable[[Row], None]) -> Iterator[list[Result]]:
+        """Results of each of the path tracer's rows, raw and denoised, by one process for all."""
         wanted = [{"name": str(index), **row.settings} for index, row in enumerate(rows)]
         for entry in wanted:
             entry["depth"] = entry.pop("bounces")
@@ -302,7 +318,11 @@ class Run(compare.Run):
                     raise failed
                 return self._traced(row, traced)
 
-            yield self.attempt(row, work)
+            results = [self.attempt(row, work)]
+            if self.comparison.denoiser is not None and traced is not None:
+                clean = denoised_row(row)
+                results.append(self.attempt(clean, lambda: self._denoised(clean, traced)))
+            yield results
         found.close()
 
     def run(self, rows: list[Row], step: Callable[[str], None]) -> list[Result]:
@@ -319,14 +339,17 @@ class Run(compare.Run):
             work = kinds.get(row.method, self.method)
             known = finished.get(self._key(row))
             results.append(known or self.attempt(row, lambda row=row, work=work: work(row)))
-        traced = self.traced_rows()
+        traced = {row.label: [row] for row in self.traced_rows()}
+        if self.comparison.denoiser is not None:
+            for some in traced.values():
+                some.append(denoised_row(some[0]))
         made = self._trace(
-            [row for row in traced if self._key(row) not in finished],
+            [some[0] for some in traced.values() if not all(self._key(row) in finished for row in some)],
             lambda row: step(f"{self.scene.name}: {row.label}"),
         )
-        for row in traced:
-            known = finished.get(self._key(row))
-            results.append(known or next(made))
+        for some in traced.values():
+            known = [finished.get(self._key(row)) for row in some]
+            results += known if all(known) else next(made)
         compare.add_differences(results)
         for result in results:
             result["missing"] = self.missing
@@ -334,9 +357,19 @@ class Run(compare.Run):
         return results
 
 
+def denoised_row(row: Row) -> Row:
+    """The row of a path tracer's denoised image."""
+    label, samples, unit = row.label.rsplit(" ", 2)
+    return Row(
+        f"{label} {DENOISED} {samples} {unit}",
+        row.method,
+        settings={**row.settings, DENOISED: True},
+    )
+
+
 def _outside(comparison: Comparison, given: str | None) -> None:
     """Find the reference environment, or note why the comparison goes without."""
-    names = ("HDR-FLIP", TRACER)
+    names = ("HDR-FLIP", TRACER, "the denoiser")
     try:
         comparison.python = reference_environment.find_python(given)
     except reference_environment.LeftOut as reason:
@@ -346,6 +379,11 @@ def _outside(comparison: Comparison, given: str | None) -> None:
         comparison.flip = reference_environment.Flip(comparison.python)
     except reference_environment.LeftOut as reason:
         comparison.left_out["HDR-FLIP"] = str(reason)
+    if any(comparison.sweep.path_tracer.values()):
+        try:
+            comparison.denoiser = Denoiser(comparison.python)
+        except reference_environment.LeftOut as reason:
+            comparison.left_out["the denoiser"] = str(reason)
 
 
 def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
@@ -365,15 +403,17 @@ def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
     _outside(comparison, arguments.reference_python)
     rows = len(what.rows) + len(YARDSTICKS)
     if comparison.python is not None:
-        rows += sum(map(len, what.path_tracer.values()))
+        each = 1 if comparison.denoiser is None else 2
+        rows += each * sum(map(len, what.path_tracer.values()))
     results: list[Result] = []
     try:
         with Progress("comparing", rows * len(arguments.scenes)) as bar:
             for name in arguments.scenes:
                 results += Run(comparison, load(name)).run(what.rows, bar.step)
     finally:
-        if comparison.flip is not None:
-            comparison.flip.close()
+        for worker in (comparison.flip, comparison.denoiser):
+            if worker is not None:
+                worker.close()
     written = compare.write(results, directory)
     compare.say(results, [*written, *page.write(results, directory)])
 

@@ -15,26 +15,22 @@ import plot
 Result = dict[str, Any]
 NOTHING = "vtk"
 """The method of the row without indirect light."""
+DEFAULT = "default"
+"""The label of the row in which nothing is set."""
 
 _COLUMNS = (
     ("method", "label", "{}"),
     ("frame ms", "frame_ms", "{:.1f}"),
-    ("indirect ms", "indirect_ms", "{:.1f}"),
     ("processor ms", "processor_ms", "{:.1f}"),
-    ("adds, over SSAO", "added_over_ssao", "{:.2f}"),
-    ("processor", "added_processor_over_ssao", "{:.2f}"),
+    ("adds, over SSAO", "added_processor_over_ssao", "{:.2f}"),
     ("first ms", "first_ms", "{:.0f}"),
     ("nRMSE R1", "nrmse_r1", "{:.4f}"),
-    ("bias R1", "bias_r1", "{:+.4f}"),
-    ("99 % R1", "p99_r1", "{:.3f}"),
-    ("FLIP R1", "flip_r1", "{:.4f}"),
     ("relMSE R2", "relmse_r2", "{:.4f}"),
     ("bias R2", "bias_r2", "{:+.3f}"),
-    ("FLIP R2", "flip_r2", "{:.4f}"),
     ("leak R2", "leak_percent", "{:.2f} %"),
     ("relMSE R3", "relmse_r3", "{:.4f}"),
+    ("of 99 %", "relmse_trimmed_r3", "{:.4f}"),
     ("bias R3", "bias_r3", "{:+.3f}"),
-    ("shape R3", "shape_r3", "{:.3f}"),
     ("FLIP R3", "flip_r3", "{:.4f}"),
     ("nRMSE S1", "nrmse_s1", "{:.4f}"),
     ("bias S1", "bias_s1", "{:+.4f}"),
@@ -53,7 +49,6 @@ _COLUMNS = (
     ("relMSE A3", "relmse_a3", "{:.4f}"),
     ("FLIP A3", "flip_a3", "{:.4f}"),
     ("flicker", "flicker", "{:+.4f}"),
-    ("error flicker", "flicker_error", "{:.4f}"),
     ("MB", "megabytes", "{:.1f}"),
 )
 
@@ -106,18 +101,18 @@ def provenance(results: Sequence[Result]) -> str:
 
 
 def worse_than_nothing(rows: Sequence[Result]) -> str:
-    """Name the rows of a scene that are further from R2 than no indirect light at all."""
-    limits = [row.get("relmse_r2") for row in rows if row["method"] == NOTHING]
+    """Name the rows of a scene that are further from all bounces (R3) than no indirect light at all."""
+    limits = [row.get("relmse_r3") for row in rows if row["method"] == NOTHING]
     if not limits or limits[0] is None:
         return ""
-    worse = [row for row in rows if (row.get("relmse_r2") or 0.0) > limits[0]]
+    worse = [row for row in rows if (row.get("relmse_r3") or 0.0) > limits[0]]
     ours = [row["label"] for row in worse if row["method"] != "mitsuba"]
     if not ours:
-        return "No row of ours is further from R2 than no indirect light at all."
-    said = f"Further from R2 than no indirect light at all, by relMSE: {'; '.join(ours)}."
-    if any(row["method"] == "auto" for row in worse):
+        return "No row of ours is further from R3 than no indirect light at all."
+    said = f"Further from R3 than no indirect light at all, by relMSE: {'; '.join(ours)}."
+    if any(row["label"] == DEFAULT for row in worse):
         return f"{said} The default is one of them."
-    measured = any(row["method"] == "auto" for row in rows)
+    measured = any(row["label"] == DEFAULT for row in rows)
     return f"{said} The default is not one of them." if measured else said
 
 
@@ -130,35 +125,33 @@ def main_of(rows: Sequence[Result]) -> str | None:
 
 
 _OF_LIGHTS = (
-    "Errors are of indirect irradiance with the albedo divided out, over the reference's mean. "
-    "R1: every texel of 256 x 256 maps, no occlusion, on all pixels with a surface; R2: one "
-    "bounce with visibility, path traced; R3: all bounces. R2 and R3 count receivers, away "
-    "from silhouettes and creases, which a path tracer puts in other pixels; what share of the "
-    "pixels that leaves out is said at each scene. leak: part of the light that is where R2 "
-    "has none."
+    "Errors compare indirect irradiance, without the albedo, with references. R1 sums every texel of "
+    "256 x 256 maps with nothing that hides them, R2 is one path-traced bounce, R3 all path-traced "
+    "bounces. relMSE is the mean of the squared error over the squared reference, nRMSE the RMS "
+    "error over the reference's mean, bias the mean error over it, leak the part of the light that "
+    "is where R2 has none. R2 and R3 leave out silhouettes and creases, which a path tracer puts in "
+    "other pixels; each scene says how many pixels these are."
 )
 _OF_EMITTERS = (
-    "Errors are of irradiance with the albedo divided out, on receivers away from silhouettes and "
-    "creases. {one}: what comes directly from {what}, against the buffer {buffer}; {every}: all "
-    "bounces of it and of lights, against irradiance; both path traced. nRMSE is the RMS error "
+    "Errors compare irradiance, without the albedo, with path-traced references, away from "
+    "silhouettes and creases. {one} is the light that comes directly from {what} (buffer {buffer}), "
+    "{every} all bounces of that light and of lights (buffer irradiance). nRMSE is the RMS error "
     "over the reference's mean, bias the mean error over it."
 )
 _EMITTERS = {references.SKY: "the sky", references.AREA: "area lights"}
 _OF_PACES = (
-    f"Rows at a pace keep maps and tiles from frame to frame, and those are there before any frame "
-    f"is measured: first ms is the very first frame, in which they are made. moving: the camera "
-    f"turns by {frames.TURN:g} degrees a frame and the window asks for "
-    f"{frames.INTERACTIVE_RATE:g} frames a second; still: it turns likewise, and each frame has "
-    f"all the work of one that stands; standing: the image after {frames.STANDING_FRAMES} frames "
-    f"without a change, and the median of the frames meanwhile. The error is the last frame's."
+    f"Rows with a pace keep maps from frame to frame, and all maps exist before the first measured "
+    f"frame. moving: the camera turns by {frames.TURN:g} degrees a frame and the window asks for "
+    f"{frames.INTERACTIVE_RATE:g} frames a second. still: the camera turns likewise, and each frame "
+    f"does all the work of one that stands. standing: nothing changes for "
+    f"{frames.STANDING_FRAMES} frames. The error is the last frame's."
 )
 
 
 _OVER_SSAO = (
-    "Adds, over SSAO: how much longer a frame takes than plain VTK's, over how much longer that "
-    "of the row ssao takes, by wall clock and by processor time, which is that of all threads of "
-    "the process. Where OpenGL draws on the processor, processor time is all the work of a frame, "
-    "whether cores work side by side or wait for each other; of a GPU's work it says nothing."
+    "Adds, over SSAO: the processor time that a row adds to plain VTK's frame, over the processor "
+    "time that the row ssao adds. Processor time counts all threads of the process; where OpenGL "
+    "draws on the processor it is all the work of a frame, of a GPU's work it says nothing."
 )
 
 
@@ -170,13 +163,11 @@ def _introduction(results: Sequence[Result]) -> list[str]:
     )
     said = [
         provenance(results),
-        f"Times are medians of {count} frames of a camera that turns by less than a pixel, by wall "
-        "clock; "
-        "compare them within one run only. 95th percentiles, the time of each stage and all other "
-        "columns are in rows.csv. Yardsticks of the same run: vtk is the frame without any pass, "
-        "and the error of having no indirect light; ssao the same with VTK's screen-space ambient "
-        "occlusion (kernel 32, blur), which darkens and adds nothing, so it has a time and no "
-        "error.",
+        f"Times are medians of {count} frames of a camera that turns by less than a pixel; compare "
+        "times of one run only. frame ms is wall clock, first ms the frame that makes maps, hints and "
+        "shaders. The row vtk is the frame without a pass, with the error of no indirect light; ssao "
+        "is VTK's screen-space ambient occlusion (kernel 32, blur), which has a time and no error. "
+        "rows.csv has each stage, 95th percentiles and further columns.",
     ]
     if any(row.get("added_over_ssao") is not None for row in results):
         said.append(_OVER_SSAO)
@@ -190,28 +181,24 @@ def _introduction(results: Sequence[Result]) -> list[str]:
         said.append(_OF_PACES)
     if any(row["method"] == "mitsuba" for row in results):
         said.append(
-            "mitsuba is a path tracer at rising samples a pixel (spp), at the same size, with the "
-            "same metrics and mask: one bounce converges to R2, all bounces to R3. Its time is "
-            "that of tracing alone, on the same processor, median of up to three times; loading "
-            "the scene, compiling its kernels and the rays from the eye are not counted."
+            "mitsuba is a path tracer by samples a pixel (spp), with the same size, metrics and "
+            "pixels. One bounce converges to R2, all bounces to R3. Its time is wall clock of "
+            "tracing alone on the same processor, the median of up to three runs."
         )
-    if any(row.get("flip_r1") is not None for row in results):
+    if any(row.get("flip_r3") is not None for row in results):
         said.append(
             "FLIP is HDR-FLIP of the irradiance at 67 pixels a degree, from 0 (the same) to 1, "
             "mean over the receivers."
         )
     if any(row.get("flicker") is not None for row in results):
         said.append(
-            "flicker: mean change from frame to frame over the reference's mean while the camera "
-            "turns around its focal point, eight frames half a degree apart, beyond the change "
-            "that R1 (maps of 128 x 128) shows at the same pixels; below zero the image changes "
-            "too little. error flicker: mean change of the difference to R1, in which nothing "
-            "cancels; an error that is fixed to a surface moves with it, so compare methods with "
-            "the same lights."
+            "flicker: while the camera turns around its focal point, eight frames half a degree "
+            "apart, the mean change from frame to frame beyond that of R1 (maps of 128 x 128), over "
+            "the reference's mean. Below zero the image changes too little."
         )
     said.append(
-        "In the plots the numbers beside points are what the sweep varies, dashed lines are the "
-        "path tracer, and grey ground is the noise of the reference itself."
+        "In the plots, numbers beside points are the property that the sweep varies, dashed lines the "
+        "path tracer, grey ground the noise of the reference."
     )
     return said
 

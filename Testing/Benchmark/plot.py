@@ -22,7 +22,12 @@ PANELS = {
     "a1": "A1: light that comes directly from area lights",
     "a3": "A3: light of area lights, all bounces",
 }
-_TRACED = {"mitsuba one bounce": ("r2",), "mitsuba all bounces": ("r3",)}
+_TRACED = {
+    "mitsuba one bounce": ("r2",),
+    "mitsuba one bounce denoised": ("r2",),
+    "mitsuba all bounces": ("r3",),
+    "mitsuba all bounces denoised": ("r3",),
+}
 """The panels in which the path tracer's curves stand: those of what they compute."""
 
 _COLORS = (
@@ -57,7 +62,7 @@ def name_of(row: Result) -> tuple[str, str]:
     """The series that a row belongs to, and what tells its point from the others."""
     words = row["label"].split(" ")
     if row["method"] == "mitsuba":
-        return " ".join(words[:3]), words[3] if len(words) > 3 else ""
+        return (" ".join(words[:-2]), words[-2]) if words[-1] == "spp" else (row["label"], "")
     return words[0], " ".join(word.rpartition("=")[2] for word in words[1:])
 
 
@@ -239,7 +244,9 @@ def draw(rows: Sequence[Result], path: Path) -> bool:
         name: (_COLORS[i % len(_COLORS)], _MARKERS[i % len(_MARKERS)])
         for i, name in enumerate(methods)
     }
-    style |= {"mitsuba one bounce": ("0.0", "<"), "mitsuba all bounces": ("0.0", ">")}
+    for bounces, marker in (("one bounce", "<"), ("all bounces", ">")):
+        style |= {f"mitsuba {bounces}": ("0.0", marker)}
+        style |= {f"mitsuba {bounces} denoised": ("0.45", marker)}
     figure, axes = pyplot.subplots(
         1, len(panels), figsize=(4.9 * len(panels) + 0.3, 4.9), squeeze=False
     )

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Puts comparisons and benchmarks into the documentation: publish.py REPORTS [DOCUMENTATION | --only PAGE].
 
-REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints``, ``occupancy``,
-``sky`` and ``spheres`` are comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed, and
+REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints``, ``sky``
+and ``spheres`` are comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed, and
 ``area.page`` is a whole page. With --only one comparison's page is written and no other.
 """
 
@@ -25,31 +25,36 @@ One command makes this page and its siblings again, and writes difference images
 """
 
 ALL = """
-Siblings: [light from the sky](speed-vs-error/sky.md), [the same by spheres](speed-vs-error/spheres.md), [area lights by their number](speed-vs-error/area.md),
-[lights of a tree](speed-vs-error/light-tree.md), [radiance hints and their paper](speed-vs-error/hints.md), [occupancy](speed-vs-error/occupancy.md),
-[multiresolution splatting and hints against the gather, SSAO and their papers](speed-vs-error/benchmarks.md).
+Further pages: [light from the sky](speed-vs-error/sky.md), [the same by spheres](speed-vs-error/spheres.md), [area
+lights by their number](speed-vs-error/area.md), [lights of a tree](speed-vs-error/light-tree.md), [radiance hints and
+their paper](speed-vs-error/hints.md), [multiresolution splatting and hints against the gather, SSAO and their
+papers](speed-vs-error/benchmarks.md).
 
-Reading the tables: times are those of a camera that turns in a scene that stands still; first ms is the frame that makes the data of later frames
-(light maps, depth maps, hints, shaders). Methods without visibility (-open, and the papers') converge to R1 as virtual lights grow, so that their columns
-R1 are sampling error, most of it where surfaces meet. R2 adds occluders between sender and receiver: a method that ignores them is too bright.
-exact-256 sums 256 even lights at every pixel and tests each segment against all triangles: beside other rows of 256 even lights the loss by depth maps
-shows. R3 has all bounces: the bias of one bounce is negative, and in closed, pale rooms (the apartment) more than half of all indirect light comes from
-later bounces. relMSE divides by the reference at each pixel, so that light in places that should be dark weighs most. Each scene names the rows that are
-further from the truth than no indirect light at all, and says whether the default is one of them.
+## Rows
 
-Rows of papers: gather-paper is the method of Dachsbacher and Stamminger 2005 with 308 samples, for which their paper of 2006 gives 44 frames a second at
-512 x 512 without the maps; sums are taken at 64 pixels along an edge as in the paper, every twelfth of 768. multiresolution-paper splits as Nichols and
-Wyman 2009 do; the [benchmarks](speed-vs-error/benchmarks.md) have the figures of that paper.
+| row | method |
+|---|---|
+| default | nothing set: lights of a tree, depth maps, all bounces |
+| default-moving | the same in frames of a camera in motion |
+| default-one-bounce, -open, -voxels | the default with one bounce, with nothing that hides senders, with voxels in place of depth maps |
+| uniform, importance | the default with lights of these samplers in place of the tree |
+| gather, gather-random-walk | the gather at every pixel with the default's lights, and with 1000 vertices of a walk |
+| splatting | splats of 256 even lights |
+| hints | radiance hints with 1 and 8 bounces |
+| gather-paper | Dachsbacher and Stamminger 2005 with 308 samples, sums at 64 pixels along an edge |
+| splatting-paper | Dachsbacher and Stamminger 2006, 768 even lights |
+| multiresolution-paper | the splitting of Nichols and Wyman 2009, 256 even lights |
+| mitsuba | the path tracer by samples a pixel |
+
+Rows of papers and -open ignore occluders between senders and receivers, as the papers do. They converge to R1, and
+their light in places that should be dark is a large part of relMSE, which divides by the reference at each pixel. Rows
+with one bounce are compared with R2; against R3 they lack the later bounces, more than half of all indirect light in
+closed, pale rooms.
 """
 
 HINTS = """
 The version of the paper (`Preset` `paper`) and the defaults (`all`), by bounces, by the six grids and numbers of samples of the paper's Table 2, and with
 single properties changed; nothing is reused between frames. See [radiance hints](../methods/radiance-hints.md).
-"""
-
-OCCUPANCY = """
-Estimators that sum over virtual lights, without and with voxels that hide senders from receivers; see [occupancy](../methods/occupancy.md). The columns
-relMSE R2 and leak R2 show the effect of voxels.
 """
 
 SKY = """
@@ -97,13 +102,6 @@ PAGES = {
         "hints-",
         HINTS,
     ),
-    "occupancy": Page(
-        "speed-vs-error/occupancy.md",
-        "Speed against error: occupancy",
-        "speed-vs-error/occupancy-",
-        "occupancy-",
-        OCCUPANCY,
-    ),
     "sky": Page(
         "speed-vs-error/sky.md",
         "Speed against error: light from the sky",
@@ -135,7 +133,12 @@ def publish(report: Path, page: Page, documentation: Path) -> None:
             shutil.copy(report / f"{scene}.png", documentation / f"{page.figures}{scene}.png")
     table = f"The rows with all their columns: [rows.csv]({page.link}rows.csv)."
     preface = "\n\n".join(text.strip() for text in (HOW, table, page.preface))
-    summaries = {"hints": equals, "sky": light_from_the_sky, "spheres": light_from_the_sky}
+    summaries = {
+        "all": at_a_glance,
+        "hints": equals,
+        "sky": light_from_the_sky,
+        "spheres": light_from_the_sky,
+    }
     if report.name in summaries:
         preface += "\n\n" + summaries[report.name](results)
     lines: list[str] = []
@@ -150,6 +153,56 @@ def publish(report: Path, page: Page, documentation: Path) -> None:
     while "\n\n\n" in text:
         text = text.replace("\n\n\n", "\n\n")
     (documentation / page.file).write_text(text, encoding="utf-8")
+
+
+def tracer_seconds(rows: list[dict[str, Any]], error: float) -> tuple[float, bool] | None:
+    """Seconds of the path tracer's quickest row whose relMSE to R3 is at most `error`, and True.
+
+    Where no row reaches that error: the seconds of the slowest row, and False. None: no row traced.
+    """
+    traced = [row for row in rows if row["method"] == "mitsuba" and row.get("relmse_r3") is not None]
+    if not traced:
+        return None
+    reached = [row["indirect_ms"] for row in traced if row["relmse_r3"] <= error]
+    longest = max(row["indirect_ms"] for row in traced)
+    return (min(reached) / 1000.0, True) if reached else (longest / 1000.0, False)
+
+
+def at_a_glance(results: list[dict[str, Any]]) -> str:
+    """A table of the default, hints and the path tracer at the default's error, a row a scene."""
+    lines = [
+        "## At a glance",
+        "",
+        "Frames of a camera that turns in a scene that stands still: plain VTK's processor time, what a "
+        "frame adds over what SSAO adds, and relMSE and bias to all path-traced bounces (R3). Path "
+        "tracer: how long mitsuba with a denoiser traces to reach the default's relMSE, and that time "
+        "over the default's whole frame; wall clock of the same processor, the quickest of its rows "
+        "with at most that error. Where no row reaches the error, the time stands with > and is that "
+        "of the row with the most samples.",
+        "",
+        "| scene | plain VTK, ms | SSAO, ms | default: adds, over SSAO | relMSE R3, bias | moving: adds | "
+        "relMSE R3, bias | hints, 8 bounces: adds | relMSE R3, bias | path tracer, s | over the default |",
+        "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|",
+    ]
+    for scene in dict.fromkeys(row["scene"] for row in results):
+        rows = [row for row in results if row["scene"] == scene]
+        named = {row["label"]: row for row in rows if not row.get("error")}
+        cells = [f"{named[name]['processor_ms']:.0f}" if name in named else "" for name in ("vtk", "ssao")]
+        for label in ("default", "default-moving", "hints NumberOfBounces=8"):
+            row = named.get(label, {})
+            added, error = row.get("added_processor_over_ssao"), row.get("relmse_r3")
+            cells.append("" if added is None else f"{added:.2f}")
+            cells.append("" if error is None else f"{error:.4f}, {100.0 * row['bias_r3']:+.0f} %")
+        error = named.get("default", {}).get("relmse_r3")
+        traced = None if error is None else tracer_seconds(rows, error)
+        if traced is None:
+            cells += ["", ""]
+        else:
+            seconds, more = traced[0], "" if traced[1] else "> "
+            times = 1000.0 * seconds / named["default"]["frame_ms"]
+            cells += [f"{more}{seconds:.1f}", f"{more}{times:.1f}"]
+        lines.append(f"| {scene} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
 
 
 def equals(results: list[dict[str, Any]]) -> str:

@@ -54,11 +54,18 @@ def find_python(given: str | None) -> Path:
     )
 
 
-class Flip:
-    """HDR-FLIP by a process that is started once and asked for each image."""
+class Worker:
+    """A program that the reference environment's Python runs once and that answers line by line."""
+
+    program: str
+    """File name of the program, beside this module."""
+    package: str
+    """Name of the package that does the work; the program's first line is that and its version."""
+    task: str
+    """Name of the work, for errors."""
 
     def __init__(self, python: Path) -> None:
-        worker = SOURCES / "Benchmark" / "flip_worker.py"
+        worker = SOURCES / "Benchmark" / self.program
         self._folder = tempfile.TemporaryDirectory(prefix="vtkindirect-")
         self._process = subprocess.Popen(
             [str(python), "-I", "-B", str(worker), metrics.__file__],
@@ -69,13 +76,13 @@ class Flip:
         )
         assert self._process.stdout is not None
         self.version = self._process.stdout.readline().strip()
-        if not self.version.startswith("flip-evaluator"):
+        if not self.version.startswith(self.package):
             raise LeftOut(f"{python}: {self.close()}")
 
-    def error(self, image: np.ndarray, reference: np.ndarray, mask: np.ndarray) -> float:
-        """HDR-FLIP of an image; see `flip_worker.flip`."""
+    def ask(self, **arrays: np.ndarray) -> tuple[float, Path]:
+        """The number that the program answers for arrays, and the file that holds the arrays."""
         path = Path(self._folder.name) / "images.npz"
-        np.savez(path, image=image, reference=reference, mask=mask)
+        np.savez(path, **arrays)
         assert self._process.stdin is not None and self._process.stdout is not None
         try:
             self._process.stdin.write(f"{path}\n")
@@ -84,12 +91,12 @@ class Flip:
         except OSError:
             answer = ""
         try:
-            return float(answer)
+            return float(answer), path
         except ValueError:
-            raise RenderError(f"HDR-FLIP failed: {answer or self.close()}") from None
+            raise RenderError(f"{self.task} failed: {answer or self.close()}") from None
 
     def close(self) -> str:
-        """End the process; returns the last line of what it complained about."""
+        """End the process; returns the last line of its complaints."""
         if self._process.poll() is None and self._process.stdin is not None:
             self._process.stdin.close()
         assert self._process.stdout is not None and self._process.stderr is not None
@@ -99,6 +106,31 @@ class Flip:
         self._process.wait()
         self._folder.cleanup()
         return lines[-1] if lines else "it ended without a word"
+
+
+class Flip(Worker):
+    """HDR-FLIP."""
+
+    program = "flip_worker.py"
+    package = "flip-evaluator"
+    task = "HDR-FLIP"
+
+    def error(self, image: np.ndarray, reference: np.ndarray, mask: np.ndarray) -> float:
+        """HDR-FLIP of an image; see `flip_worker.flip`."""
+        return self.ask(image=image, reference=reference, mask=mask)[0]
+
+
+class Denoiser(Worker):
+    """Intel's Open Image Denoise."""
+
+    program = "denoise_worker.py"
+    package = "pyoidn"
+    task = "denoising"
+
+    def denoised(self, image: np.ndarray, normal: np.ndarray) -> tuple[np.ndarray, float]:
+        """An image of irradiance without noise, and seconds; see `denoise_worker.denoised`."""
+        seconds, path = self.ask(image=image, normal=normal)
+        return np.load(f"{path}.denoised.npy").astype(np.float64), seconds
 
 
 @dataclass(frozen=True)

@@ -159,13 +159,13 @@ class Page(unittest.TestCase):
             self.assertIn("Left out: HDR-FLIP, because of a reason.", text)
             self.assertIn("0.2500", text)
             self.assertIn("12.50 %", text)
-            self.assertNotIn("FLIP R1", text)
+            self.assertNotIn("FLIP R3", text)
         self.assertNotIn("over SSAO", page._markdown(rows, {}))
         rows[0] |= {"added_over_ssao": 1.25, "added_processor_over_ssao": 0.75}
         text = page._markdown(rows, {})
         self.assertIn("of a GPU's work it says nothing", text)
-        self.assertIn("| adds, over SSAO | processor |", text)
-        self.assertIn("| 1.25 | 0.75 |", text)
+        self.assertIn("| adds, over SSAO |", text)
+        self.assertIn("| 0.75 |", text)
         self.assertIn("failed: it broke <here>", page._markdown(rows, {}))
         self.assertIn("b\\|c", page._markdown(rows, {}))
         self.assertIn("failed: it broke &lt;here&gt;", page._html(rows, {}))
@@ -176,12 +176,12 @@ class WhatTheTextNames(unittest.TestCase):
 
     def test_rows_that_are_worse_than_nothing(self) -> None:
         def row(label: str, method: str, error: float | None) -> dict[str, Any]:
-            return {"label": label, "method": method, "relmse_r2": error}
+            return {"label": label, "method": method, "relmse_r3": error}
 
         rows = [row("vtk", "vtk", 0.9), row("default", "auto", 0.5), row("bad", "gather", 1.5)]
         said = page.worse_than_nothing(rows)
         self.assertIn("bad. The default is not one of them.", said)
-        rows[1]["relmse_r2"] = 1.0
+        rows[1]["relmse_r3"] = 1.0
         self.assertIn("default; bad. The default is one of them.", page.worse_than_nothing(rows))
         self.assertNotIn("default", page.worse_than_nothing([rows[0], rows[2]]))
         self.assertIn("No row", page.worse_than_nothing([rows[0]]))
@@ -219,6 +219,26 @@ class WhatTheTextNames(unittest.TestCase):
         self.assertIn("| s | paper 2 | ours 2 | 3.0000 | 1.5000 | 2.0 | 1.0 | 1.0 |", text)
         self.assertNotIn("paper 4", text)
 
+    def test_at_a_glance(self) -> None:
+        def row(label: str, method: str, error: float, **times: float) -> dict[str, Any]:
+            return {"scene": "s", "method": method, "label": label, "relmse_r3": error,
+                    "bias_r3": -0.25, **times}  # fmt: skip
+
+        rows = [
+            row("vtk", "vtk", 1.0, processor_ms=10.0),
+            row("default", "auto", 0.02, processor_ms=30.0, frame_ms=20.0,
+                added_processor_over_ssao=1.5),
+            row("mitsuba all bounces 4 spp", "mitsuba", 0.5, indirect_ms=100.0),
+            row("mitsuba all bounces denoised 4 spp", "mitsuba", 0.02, indirect_ms=300.0),
+            row("mitsuba all bounces 64 spp", "mitsuba", 0.01, indirect_ms=900.0),
+        ]  # fmt: skip
+        expected = "| s | 10 |  | 1.50 | 0.0200, -25 % |  |  |  |  | 0.3 | 15.0 |"
+        self.assertIn(expected, publish.at_a_glance(rows))
+        # No row of the path tracer has the default's error.
+        self.assertIn("| > 0.3 | > 15.0 |", publish.at_a_glance(rows[:2] + rows[2:4][:1] + [
+            row("mitsuba all bounces denoised 4 spp", "mitsuba", 0.03, indirect_ms=300.0)]))
+        self.assertTrue(publish.at_a_glance(rows[:2]).endswith("|  |  |"))
+
 
 class LightFromTheSky(unittest.TestCase):
     """The table of frames under a sky."""
@@ -253,7 +273,7 @@ class LightFromTheSky(unittest.TestCase):
             text = page._markdown([row], {})
             self.assertIn(f"{kind}3 | ![{kind}3](s-{kind}3.png)", text)
             self.assertIn(f"{kind}1 and {kind}3 leave out 50.0 %", text)
-            self.assertIn(f"against the buffer {buffer};", text)
+            self.assertIn(f"(buffer {buffer})", text)
             self.assertIn("| moving |", text)
             self.assertNotIn("R1", text)
 
@@ -447,8 +467,33 @@ class Command(DirectoryTest):
         for row in traced:
             self.assertIn("the path tracer failed", row["error"])
             self.assertIn("exit code 3", row["error"])
-        # Without a stored R3 nobody knows how many bounces all of them are.
+        # A stored R3 would say how many bounces all of them are.
         self.assertIn("no record", results["gather"]["missing"]["mitsuba all bounces"])
+
+    def test_traced_images_are_denoised(self) -> None:
+        scene = load_scene(self.write("small.json", small_scene()))
+        what = sweep.Sweep([], path_tracer={"one_bounce": [4], "all_bounces": []})
+        denoiser = mock.Mock()
+        denoiser.denoised.side_effect = lambda image, normal: (image + np.abs(normal), 0.25)
+        wanted = comparison.Comparison(
+            what, self.directory, frames=1, python=self.directory, denoiser=denoiser
+        )
+        shape = (scene.size[1], scene.size[0], 3)
+        traced = [comparison.Traced("0", np.ones(shape), [0.5])]
+        rows = []
+        for _ in range(2):  # the second run takes all rows from the journal
+            with mock.patch.object(
+                comparison.reference_environment, "trace", side_effect=lambda *_: (t for t in traced)
+            ):
+                run = comparison.Run(wanted, scene)
+                rows.append({row["label"]: row for row in run.run(what.rows, lambda _: None)})
+            self.assertEqual(denoiser.denoised.call_count, 1)
+        raw, clean = (
+            rows[0][f"mitsuba one bounce {word}4 spp"] for word in ("", "denoised ")
+        )
+        self.assertEqual((raw["indirect_ms"], clean["indirect_ms"]), (500.0, 750.0))
+        self.assertNotEqual(raw["bias_r1"], clean["bias_r1"])
+        self.assertEqual(rows[1], rows[0])
 
     def test_finished_rows_are_not_run_again(self) -> None:
         self.assertNotIn("flicker", self.compare("--methods", "gather")[-1])

@@ -27,9 +27,11 @@ SCENES = ("contact_corner", "two_rooms")
 
 
 def why_no_yardsticks() -> str | None:
-    """Why there is neither a path tracer nor HDR-FLIP here, or None."""
+    """Why there is neither a path tracer, nor HDR-FLIP, nor a denoiser here, or None."""
     try:
-        reference_environment.Flip(reference_environment.find_python(None)).close()
+        python = reference_environment.find_python(None)
+        for worker in (reference_environment.Flip, reference_environment.Denoiser):
+            worker(python).close()
     except reference_environment.LeftOut as reason:
         return str(reason)
     return None
@@ -72,9 +74,10 @@ class Quick(unittest.TestCase):
         expected = [*comparison.YARDSTICKS, *(row.label for row in self.sweep.rows)]
         if self.without is None:
             expected += [
-                f"mitsuba {comparison.CURVES[curve]} {number} spp"
+                f"mitsuba {comparison.CURVES[curve]} {word}{number} spp"
                 for curve, samples in self.sweep.path_tracer.items()
                 for number in samples
+                for word in ("", "denoised ")
             ]
         for scene in SCENES:
             labels = [row["label"] for row in self.rows if row["scene"] == scene]
@@ -150,7 +153,7 @@ class Quick(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
             reports, target = Path(name) / "reports", Path(name) / "documentation"
             target.mkdir()
-            for comparison in ("all", "hints", "occupancy", "sky", "spheres"):
+            for comparison in ("all", "hints", "sky", "spheres"):
                 shutil.copytree(self.report, reports / comparison)
             (reports / "order.md").write_text("| what a benchmark printed |\n", encoding="utf-8")
             done = self.publish(reports, target)
@@ -158,7 +161,6 @@ class Quick(unittest.TestCase):
             for page, prefix in (
                 ("speed-vs-error.md", "speed-vs-error/"),
                 ("speed-vs-error/hints.md", "hints-"),
-                ("speed-vs-error/occupancy.md", "occupancy-"),
                 ("speed-vs-error/sky.md", "sky-"),
                 ("speed-vs-error/spheres.md", "spheres-"),
             ):

@@ -6,7 +6,7 @@ import unittest
 
 import support
 import vtkindirect
-from vtkindirect import frames, metrics, references, settings, sweep, wrapped
+from vtkindirect import frames, metrics, references, wrapped
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkCubeSource
@@ -14,7 +14,6 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper
 
 METHODS = ("gather", "multiresolution", "reference")
 PAGES = ("gather", "multiresolution-splatting", "radiance-hints")
-SWEEP = support.SOURCE / "Testing" / "Benchmark" / "occupancy.json"
 
 
 @unittest.skipUnless(wrapped.has("vtkRSMGatherPass"), "vtkRSMGatherPass was not built")
@@ -30,16 +29,6 @@ class Occupancy(unittest.TestCase):
         self.assertFalse(vtkindirect.vtkRSMGatherPass().GetOccupancy())
         self.assertFalse(vtkindirect.vtkMultiresolutionSplattingPass().GetOccupancy())
         self.assertTrue(vtkindirect.vtkRadianceHintsPass().GetOccupancy())
-
-    def test_sweep_names_properties(self) -> None:
-        indirect = vtkindirect.vtkIndirectIlluminationPass()
-        for row in sweep.load(SWEEP).rows:
-            with self.subTest(row=row.label):
-                own = {"gather": vtkindirect.vtkRSMGatherPass}.get(
-                    row.method, vtkindirect.vtkMultiresolutionSplattingPass
-                )
-                parts = [own(), vtkindirect.vtkUniformLightSampler(), indirect]
-                settings.apply(parts, row.settings)
 
     def test_hides_light(self) -> None:
         loaded = vtkindirect.load_scene(support.SCENES / "cornell_box.json")

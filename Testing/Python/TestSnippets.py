@@ -89,7 +89,6 @@ NOT_RUN = {
     ("Documentation/speed-vs-error.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/benchmarks.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/hints.md", "Testing/Benchmark/report"): BENCHMARKS,
-    ("Documentation/speed-vs-error/occupancy.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/sky.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/spheres.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/tutorial.md", "#include"): CXX,

@@ -12,7 +12,8 @@
   light.
 
 A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then
-the centres of blocks of pixels, and the very same points are compared.
+the centres of blocks of pixels, and the very same points are compared. R1 has the size of the stored
+references.
 """
 
 from __future__ import annotations
@@ -111,9 +112,14 @@ def has_r1(scene: Scene) -> bool:
     return names_of(scene) == LIGHTS
 
 
-def r1(scene: Scene) -> np.ndarray:
-    """R1 of a scene in its window, at the window's size: height x width x 3."""
+def r1(scene: Scene, by: int = 1) -> np.ndarray:
+    """R1 of a scene in its window, at the window's size over `by`: height x width x 3.
+
+    An odd `by` makes R1 at the centres of blocks of pixels.
+    """
     methods.disable(scene.renderer)
+    width, height = scene.render_window.GetSize()
+    scene.render_window.SetSize(width // by, height // by)
     methods.enable(
         scene.renderer,
         "reference",
@@ -129,6 +135,7 @@ def r1(scene: Scene) -> np.ndarray:
         return images.copy_buffer(scene.renderer, "irradiance")
     finally:
         methods.disable(scene.renderer)
+        scene.render_window.SetSize(width, height)
 
 
 def mask(scene: Scene) -> np.ndarray:
@@ -204,7 +211,12 @@ def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> Referen
 
     `stored` is the EXR file with the stored ones, or None.
     """
-    first = {"R1": r1(scene)} if has_r1(scene) and wrapped.has(wrapped.ORACLE) else {}
+    images_found, missing = stored_images(stored, size, names_of(scene))
+    first = {}
+    if has_r1(scene) and wrapped.has(wrapped.ORACLE):
+        # Beside stored references R1 needs no more pixels than these.
+        heights = {image.shape[0] for image in images_found.values()}
+        first["R1"] = r1(scene, size[1] // max(heights) if heights else 1)
     methods.enable(scene.renderer, "gather", lighting="scene", NumberOfLights=1)
     try:
         scene.render_window.Render()
@@ -212,6 +224,5 @@ def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> Referen
         normal = images.copy_buffer(scene.renderer, "normal")
     finally:
         methods.disable(scene.renderer)
-    images_found, missing = stored_images(stored, size, names_of(scene))
     surfaces = np.linalg.norm(normal, axis=-1) > 0.5
     return References(receivers, {**first, **images_found}, missing, surfaces)
