@@ -39,7 +39,7 @@ bool vtkiAddSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender
 #endif
   irradiance += seen ? density * (weight * (1.0f - division)) : vec3(0.0f);
 #ifdef VTKI_DIVIDED
-  return vtkiKeepSight(vtkiReceiverSight, open, toSender, senderNormal.xyz, division, seen ? 1.0f : 0.0f);
+  return vtkiKeepSight(vtkiReceiverSight, open, normal, toSender, senderNormal, division, seen ? 1.0f : 0.0f);
 #else
   return false;
 #endif
@@ -73,7 +73,7 @@ void vtkiAddBelow(vec3 position, vec3 normal, vec3 open, int light, inout vec3 i
     vtkiFetchBranch(light, place, sender, senderNormal, branch);
     toSender = sender.xyz - position;
     bool isChild = vtkiIsChild(place);
-    below = isChild ? share * vtkiDivisionOfChild(dot(toSender, toSender), senderNormal.w) : below;
+    below = isChild ? share * vtkiDivisionOfChild(normal, toSender, senderNormal.xyz, senderNormal.w) : below;
     float weight = vtkiSenderWeight(toSender, senderNormal, normal, sender.w, branch.w);
     irradiance += branch.rgb * (weight * (isChild ? share - below : below));
     place = vtkiNextBranch(place, senderNormal.w, below > 0.0f);

@@ -114,7 +114,7 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
 #ifdef VTKI_DIVIDED
     vec3 toSender = sender.xyz - position[i];
     float division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
-    isNear = vtkiKeepSight(vtkiSights[i], facet[i], toSender, senderNormal.xyz, division, share[i]) || isNear;
+    isNear = vtkiKeepSight(vtkiSights[i], facet[i], normal[i], toSender, senderNormal, division, share[i]) || isNear;
     share[i] -= share[i] * division;
 #endif
     vtkiAddSeenLight(position[i], normal[i], share[i], vtkiSoftening(senderNormal.w, sender.w), sender, senderNormal,
@@ -153,7 +153,9 @@ void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
     for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
     {
       vec3 toSender = sender.xyz - position[i];
-      below[i] = isChild ? share[i] * vtkiDivisionOfChild(dot(toSender, toSender), senderNormal.w) : below[i];
+      below[i] = isChild
+        ? share[i] * vtkiDivisionOfChild(normal[i], toSender, senderNormal.xyz, senderNormal.w)
+        : below[i];
       nearest = max(nearest, below[i]);
       vtkiAddSeenLight(position[i], normal[i], isChild ? share[i] - below[i] : below[i], branch.w, sender, senderNormal,
         branch.rgb, irradiance[i], vectorIrradiance[i]);

@@ -72,7 +72,7 @@ bool vtkiAddLight(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
   vtkiAddSeenLight(position, normal, seen ? 1.0f - division : 0.0f, vtkiSoftening(senderNormal.w, sender.w), sender,
     senderNormal, density, irradiance, vectorIrradiance);
 #ifdef VTKI_DIVIDED
-  return vtkiKeepSight(vtkiReceiverSight, open, toSender, senderNormal.xyz, division, seen ? 1.0f : 0.0f);
+  return vtkiKeepSight(vtkiReceiverSight, open, normal, toSender, senderNormal, division, seen ? 1.0f : 0.0f);
 #else
   return false;
 #endif
@@ -97,7 +97,7 @@ void vtkiAddBelow(vec3 position, vec3 normal, vec3 open, int light, vec4 sender,
     vtkiFetchBranch(light, place, node, nodeNormal, density);
     vec3 toNode = node.xyz - position;
     bool isChild = vtkiIsChild(place);
-    below = isChild ? share * vtkiDivisionOfChild(dot(toNode, toNode), nodeNormal.w) : below;
+    below = isChild ? share * vtkiDivisionOfChild(normal, toNode, nodeNormal.xyz, nodeNormal.w) : below;
     vtkiAddSeenLight(position, normal, isChild ? share - below : below, density.w, node, nodeNormal, density.rgb,
       irradiance, vectorIrradiance);
     place = vtkiNextBranch(place, nodeNormal.w, below > 0.0f);

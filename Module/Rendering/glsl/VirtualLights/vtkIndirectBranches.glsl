@@ -22,10 +22,16 @@ float vtkiDivision(float distance2, float childDistance)
   return clamp((childDistance2 - distance2) / (0.36f * childDistance2), 0.0f, 1.0f);
 }
 
-// The same of a node above leaves.
-float vtkiDivisionOfChild(float distance2, float childDistance)
+// Returns false if no part of a node lights a receiver, so that the nodes below need no walk: on a
+// wall the nearest nodes are those of the wall. The node has the receiver's normal, and its place lies
+// behind the receiver's plane, so that parts before the plane would face away. Normals that differ
+// count as a tilt, by which parts rise over the plane; the extent of a node counts as eight times
+// the child distance, since its parts may be scattered.
+bool vtkiMayLight(vec3 normal, vec3 toSender, vec3 senderNormal, float childDistance)
 {
-  return vtkiDivision(distance2, vtkiChildReach * childDistance);
+  float along = dot(normal, senderNormal);
+  float sine = sqrt(max(1.0f - along * along - 1.0e-5f, 0.0f));
+  return along <= 0.0f || dot(normal, toSender) > childDistance * (1.0e-3f - 8.0f * sine);
 }
 
 // A cluster that reaches through a receiver's plane may have its place behind the plane. Its depth
@@ -62,16 +68,25 @@ float vtkiShareOfBranches(vtkiSight sight, vec3 facet, vec3 toSender, float seen
 #endif
 }
 
+// vtkiDivision of a node above leaves; 0 for a node that gives the receiver nothing.
+float vtkiDivisionOfChild(vec3 normal, vec3 toSender, vec3 senderNormal, float childDistance)
+{
+  return vtkiMayLight(normal, toSender, senderNormal, childDistance)
+    ? vtkiDivision(dot(toSender, toSender), vtkiChildReach * childDistance)
+    : 0.0f;
+}
+
 // Keeps what a receiver sees of a cluster. Returns true if the cluster's branches are to be added.
 // seen: share by the cluster's depth map.
-bool vtkiKeepSight(
-  inout vtkiSight sight, vec3 facet, vec3 toSender, vec3 senderNormal, float division, float seen)
+bool vtkiKeepSight(inout vtkiSight sight, vec3 facet, vec3 normal, vec3 toSender, vec4 senderNormal, float division,
+  float seen)
 {
   float height = max(dot(facet, toSender), 0.0f);
-  float cosines = height * max(-dot(senderNormal, toSender), 0.0f) / max(dot(toSender, toSender), 1.0e-30f);
+  float cosines = height * max(-dot(senderNormal.xyz, toSender), 0.0f) / max(dot(toSender, toSender), 1.0e-30f);
   sight.seen += seen * division * cosines;
   sight.all += division * cosines;
-  return division * vtkiShareOfBranches(sight, facet, toSender, seen) > 0.0f;
+  return division * vtkiShareOfBranches(sight, facet, toSender, seen) > 0.0f &&
+    vtkiMayLight(normal, toSender, senderNormal.xyz, senderNormal.w);
 }
 
 void vtkiKeepNear(inout uvec4 near, int light, bool isNear)
