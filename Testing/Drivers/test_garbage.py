@@ -16,7 +16,6 @@ LIBRARY = Path(os.environ["VTK_INDIRECT_GARBAGE"])
 SKIPPED = 125
 TESTS = (
     ("TestPassContract", "ChoicesSame"),
-    ("TestPassContract", "KindsFull"),
     ("TestPassContract", "Resize"),
     ("TestPassContract", "ViewportOrigin"),
     ("TestPassContract", "LayersPreserve"),

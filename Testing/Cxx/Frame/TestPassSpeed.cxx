@@ -4,7 +4,6 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
-#include "vtkMultiresolutionSplattingPass.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkPolyData.h"
@@ -271,7 +270,8 @@ VTK_INDIRECT_TEST(ShaderBuilds)
   source->SetThetaResolution(6);
   source->SetPhiResolution(6);
   source->SetRadius(0.4);
-  for (int i = 0; i < 1000; ++i)
+  constexpr int actors = 200;
+  for (int i = 0; i < actors; ++i)
   {
     auto actor = MakeActor(source, { 0.3 + 0.7 * (i % 7) / 7.0, 0.6, 0.5 });
     actor->SetPosition(i % 10, (i / 10) % 10, i / 100);
@@ -296,7 +296,7 @@ VTK_INDIRECT_TEST(ShaderBuilds)
     view.Window->Render();
     view.Window->Render();
     const vtkIdType builds = CountShaderBuilds(pass);
-    CONTRACT_CHECK(builds >= 1000, "every actor is asked for at least once: " << builds);
+    CONTRACT_CHECK(builds >= actors, "every actor is asked for at least once: " << builds);
     double worst = 0.0;
     for (int i = 0; i < 4; ++i)
     {
@@ -359,10 +359,6 @@ VTK_INDIRECT_TEST(FlatUniforms)
       hints->SetGridResolution(6, 6, 6); // tests the shaders, not the hints
       pass->SetEstimator(hints);
     }
-    else if (estimator == 2)
-    {
-      pass->SetEstimator(vtkNew<vtkMultiresolutionSplattingPass>());
-    }
     view.Renderer->SetPass(pass);
     Result result;
     result.Image = view.Grab();
@@ -377,7 +373,7 @@ VTK_INDIRECT_TEST(FlatUniforms)
     }
     return result;
   };
-  for (int estimator = 0; estimator < 3; ++estimator)
+  for (int estimator = 0; estimator < 2; ++estimator)
   {
     const Result kept = render(true, estimator);
     const Result moved = render(false, estimator);
