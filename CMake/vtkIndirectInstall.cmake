@@ -1,4 +1,4 @@
-# What `cmake --install` leaves behind besides the modules themselves: the package files with which
+# Files that `cmake --install` installs besides the modules: the package files with which
 # other projects find them. The Python package installs itself (Wrapping/Python).
 include(CMakePackageConfigHelpers)
 

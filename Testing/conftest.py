@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What pytest does otherwise in this project: a run of which everything is skipped says so."""
+"""Change of pytest in this project: a run of which everything is skipped says so."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""What area lights cost while somebody drags, beside VTK's own ambient occlusion.
+"""Cost of area lights while somebody drags, beside VTK's own ambient occlusion.
 
     Testing/Benchmark/area.py [--size WxH] [--rounds N] [--json FILE] [MIX ...]
 

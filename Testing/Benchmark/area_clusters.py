@@ -33,7 +33,7 @@ WINDOW = slices.DATA / "window_evening.exr"
 LIGHTS = 256
 DENSE = 32
 BRAIN = (0.5, 256)
-"""Which slice, and pixels along its edge."""
+"""The slice, and pixels along its edge."""
 
 
 @dataclass

@@ -52,7 +52,7 @@ LIGHTS_ALONE = {
 
 @dataclass
 class Comparison:
-    """What to run and where the results go."""
+    """Work of a comparison and the place of its results."""
 
     sweep: Sweep
     directory: Path
@@ -60,7 +60,7 @@ class Comparison:
     stored: Path | None = None
     """Stored references: a directory of one file a scene, a scene's file, or None."""
     with_errors: bool = True
-    """Whether there are errors beside the times."""
+    """True if rows have errors beside the times."""
     size: tuple[int, int] | None = None
     python: Path | None = None
     """Python of the reference environment, or None."""
@@ -90,7 +90,7 @@ def commit(directory: Path) -> str:
 
 
 def record_of(stored: Path | None) -> dict[str, Any]:
-    """What is recorded of a stored reference; empty when there is no record."""
+    """Return what is recorded of a stored reference; empty when there is no record."""
     path = stored.with_suffix(".json") if stored is not None else None
     if path is None or not path.exists():
         return {}
@@ -98,7 +98,7 @@ def record_of(stored: Path | None) -> dict[str, Any]:
 
 
 def difference_image(irradiance: np.ndarray, reference: np.ndarray) -> np.ndarray:
-    """Where an image is too bright (red) and too dark (blue); full colour at half the mean."""
+    """Return a picture of errors: red too bright, blue too dark, full colour at half the mean."""
     signed = (irradiance - reference).mean(axis=-1) / (0.5 * reference.mean())
     strength = np.clip(np.abs(signed), 0.0, 1.0)[..., np.newaxis]
     towards = np.where(signed[..., np.newaxis] > 0.0, (0.75, 0.05, 0.05), (0.05, 0.15, 0.75))

@@ -28,7 +28,7 @@ RING = "ring"
 NAMES = (RING, "molecule", "terrain", "machine", "brain", "apartment")
 DIRECTORY = Path(__file__).resolve().parents[2] / "Documentation" / "gallery"
 MULTISAMPLES = 8
-"""What a vtkRenderWindow asks for by default."""
+"""Samples that a vtkRenderWindow asks for by default."""
 GAP = 4
 
 

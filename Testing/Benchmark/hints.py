@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the order of the harmonics costs radiance hints in rooms of any number of triangles.
+"""Cost of the order of harmonics for radiance hints in rooms of any number of triangles.
 
     PYTHONPATH=build/lib/python3.11/site-packages python3 Testing/Benchmark/hints.py
         [--rounds N] [--size N] [--triangles N]...

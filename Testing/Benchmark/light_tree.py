@@ -35,7 +35,7 @@ EVEN = (64, 128, 256, 512, 1024)
 TREE = (32, 64, 128, 256, 512)
 TOLERANCES = (0.005, 0.01, 0.02, 0.05, 0.1)
 FLOOR = 1e-2
-"""Of the mean, added to what errors are relative to."""
+"""Share of the mean that is added to the divisor of relative errors."""
 
 
 @dataclass

@@ -94,7 +94,7 @@ def turned(scene: Scene, window: Any) -> float:
 
 
 def summary(times: list[float]) -> dict[str, float]:
-    """Of several times."""
+    """Return the median, the greatest and the number of several times."""
     return {"median_ms": statistics.median(times), "max_ms": max(times), "frames": len(times)}
 
 

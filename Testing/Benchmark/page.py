@@ -91,7 +91,7 @@ def _first(results: Sequence[Result], key: str) -> str:
 
 
 def provenance(results: Sequence[Result]) -> str:
-    """What was run and on what: versions, commit, shaders, OpenGL."""
+    """Return what was run and on what: versions, commit, shaders, OpenGL."""
     return (
         f"vtk-indirect {_first(results, 'version')} "
         f"(commit {_first(results, 'commit') or 'unknown'}, "

@@ -148,7 +148,7 @@ def _along(axis: Any, found: list[Series]) -> list[tuple[float, float]]:
 
 
 class _Room:
-    """Where there is still room for text."""
+    """Places in a plot that have room for text."""
 
     def __init__(self, figure: Any, axis: Any, found: list[Series]) -> None:
         figure.canvas.draw()

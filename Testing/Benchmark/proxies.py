@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""How well spheres stand for real data, as a table, and a picture of them.
+"""Error of spheres in the place of real data, as a table, and a picture of them.
 
     Testing/Benchmark/proxies.py                  the table of Documentation/methods/sphere-proxies.md
     Testing/Benchmark/proxies.py --picture FILE   the picture of the gallery

@@ -61,7 +61,7 @@ class BallsAndSticks(Spheres):
         along = (offset * self.axes).sum(axis=1)
         flat = offset - along[:, None] * self.axes
         slope = ways @ self.axes.T
-        # Of the squared distance from the axis along a ray.
+        # Coefficients of the squared distance from the axis along a ray.
         a = 1.0 - slope**2
         b = ways @ flat.T
         c = (flat**2).sum(axis=1) - self.radius**2

@@ -29,7 +29,7 @@ import proxy_pass
 SIZE = (160, 120)
 RECEIVERS = 300
 DIRECTIONS = 256
-"""Of each of two halves."""
+"""Directions of each receiver in each of two halves."""
 SENT = 120
 BOUNCE = (64, 48)
 """Receivers whose bounce is compared; directions of each, and of each place that it sees."""

@@ -79,16 +79,16 @@ splatting](../methods/multiresolution-splatting.md) and [radiance hints](../meth
 
 
 OF_PAPER = ("Preset", "NumberOfSamples")
-"""What the paper's version has and ours has not."""
+"""Properties of the paper's version that ours has not."""
 
 
 class Page(NamedTuple):
-    """Where a comparison goes."""
+    """Files and texts of a comparison's page."""
 
     file: str
     title: str
     figures: str
-    """What names of its table and plots begin with, from the documentation's folder."""
+    """First letters of the names of its table and plots, from the documentation's folder."""
     link: str
     """The same, from the page."""
     preface: str
@@ -379,7 +379,7 @@ def light_from_the_sky(results: list[dict[str, Any]]) -> str:
 
 
 def mixed(results: list[dict[str, Any]]) -> str:
-    """What differs between rows that one run has made; empty: nothing."""
+    """Return what differs between rows that one run has made; empty: nothing."""
     for name in ("commit", "shader_hash", "vtk", "gl"):
         values = {row[name] for row in results if row.get(name)}
         if len(values) > 1:

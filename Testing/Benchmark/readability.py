@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How much of an object can be seen: how bright it is, its contrast, and what is nearly black.
+"""Readability of an object: its brightness, its contrast, and the share that is nearly black.
 
     PYTHONPATH=build/lib/python3.11/site-packages python3 Testing/Benchmark/readability.py
         [--size WIDTH] [--shot NAME]... [--light NAME]...
@@ -42,7 +42,7 @@ PITS = 10
 
 
 class Seen(NamedTuple):
-    """What there is to see of an object in a picture."""
+    """Readability of an object in a picture."""
 
     black: float
     """Share of its pixels that are nearly black."""
@@ -78,7 +78,7 @@ def object_mask(scene: vtkindirect.Scene) -> np.ndarray:
 
 
 def find_openness(scene: vtkindirect.Scene) -> np.ndarray:
-    """What pixels receive of a uniform sky, over what they would if nothing hid any of it."""
+    """Return the light of a uniform sky at pixels, over that of the whole sky."""
     vtkindirect.enable(scene, environment=(1.0, 1.0, 1.0), lighting="scene")
     scene.render_window.Render()
     found = images.copy_buffer(scene, "sky").mean(axis=-1)

@@ -114,7 +114,7 @@ class DifferenceImage(unittest.TestCase):
 
 
 class Plot(DirectoryTest):
-    """Which points stand where."""
+    """Points of a plot and their places."""
 
     ROWS = (
         {"label": "vtk", "method": "vtk", "frame_ms": 2.0, "relmse_r2": 1.0},
@@ -145,7 +145,7 @@ class Plot(DirectoryTest):
 
 
 class Page(unittest.TestCase):
-    """What is left out or failed is said; what is a number is one."""
+    """Pages name the rows that are left out or failed; numbers are numbers."""
 
     def test_left_out_and_failed(self) -> None:
         common = {"scene": "s", "width": 3, "height": 3, "frames": 10, "vtk": "9",
@@ -172,7 +172,7 @@ class Page(unittest.TestCase):
 
 
 class WhatTheTextNames(unittest.TestCase):
-    """What a page says of its rows in words."""
+    """Sentences of a page about its rows."""
 
     def test_rows_that_are_worse_than_nothing(self) -> None:
         def row(label: str, method: str, error: float | None) -> dict[str, Any]:
@@ -279,7 +279,7 @@ class LightFromTheSky(unittest.TestCase):
 
 
 class ReferenceEnvironment(DirectoryTest):
-    """Which Python is taken, and what is said when there is none."""
+    """Choice of the Python, and the error without one."""
 
     def test_none_is_left_out_and_a_wrong_name_is_an_error(self) -> None:
         with self.assertRaisesRegex(reference_environment.LeftOut, "asked"):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the gallery and the benchmark of readability show, and how they measure it."""
+"""Pictures of the gallery and of the benchmark of readability, and their measures."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ import support
 
 
 class Parts(unittest.TestCase):
-    """What needs no picture."""
+    """Tests that need no picture."""
 
     def test_warp_keeps_shares(self) -> None:
         places = splatting_figures.sobol(4000)

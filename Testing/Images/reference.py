@@ -48,7 +48,7 @@ class Deviation(NamedTuple):
 
     @property
     def is_small(self) -> bool:
-        """Whether that is within the tolerance."""
+        """Return whether that is within the tolerance."""
         return self.share <= TOLERANCE["block_share"] and self.worst <= TOLERANCE["block_limit"]
 
     def __str__(self) -> str:
@@ -71,7 +71,7 @@ def deviation(now: np.ndarray, stored: np.ndarray) -> Deviation:
 
 
 def is_out_of_date(alternative: Path) -> bool:
-    """Whether an alternative is of another state of the project than the baseline beside it.
+    """Return whether an alternative is of another state of the project than the baseline beside it.
 
     What another driver or version of VTK draws otherwise is a part of the picture: of those there
     are, up to 36 % of the blocks. Where light has changed since, nearly all blocks differ.
@@ -94,7 +94,7 @@ def pixel_difference(now: np.ndarray, stored: np.ndarray) -> tuple[float, float]
 
 
 def pixels_agree(now: np.ndarray, stored: np.ndarray) -> bool:
-    """Whether two pictures of 8 bits are the same within the tolerance."""
+    """Return whether two pictures of 8 bits are the same within the tolerance."""
     mean, share = pixel_difference(now, stored)
     return mean <= TOLERANCE["pixel_mean"] and share <= TOLERANCE["pixel_share"]
 

@@ -15,7 +15,7 @@ ENTRY = "coarse geometry in depth maps"
 FINE, COARSE = 80, 40
 """Rows and columns of a ball of radius one."""
 ERROR = 1.0 - np.cos(np.pi / COARSE) ** 2
-"""Of the coarse one: facets lie inside by no more, rows turned by half of their angle both ways."""
+"""Bound: coarse facets lie inside by no more, rows turned by half of their angle both ways."""
 
 
 def ball(rows: int, radius: float = 1.0) -> vtkSphereSource:

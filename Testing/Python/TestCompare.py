@@ -152,7 +152,7 @@ class SmallerReferences(unittest.TestCase):
 
 
 class Differences(unittest.TestCase):
-    """What rows add to plain VTK, over what SSAO adds."""
+    """Times that rows add to plain VTK, over the time that SSAO adds."""
 
     @staticmethod
     def row(method: str, frame: float | None, processor: float | None, error: str = "") -> Any:

@@ -60,7 +60,7 @@ def ball(center, facets=32) -> vtkActor:
 
 
 class Scene:
-    """What a camera sees of actors under a sun."""
+    """Picture of actors under a sun."""
 
     def __init__(self, case, actors, sun, position, focal, size, up=(0, 0, 1)):
         self.renderer = vtkRenderer()
@@ -97,7 +97,7 @@ class Scene:
         return np.array(vtkindirect.copy_buffer(self.renderer, name))
 
     def places(self) -> np.ndarray:
-        """Where each pixel's surface is; rows from below."""
+        """Return where each pixel's surface is; rows from below."""
         depth = self.read("depth")[:, :, :1]
         camera = self.renderer.GetActiveCamera()
         height, width = depth.shape[:2]
@@ -113,7 +113,7 @@ class Scene:
 
 
 def wrinkle(smooth: np.ndarray, reach: int = 2) -> np.ndarray:
-    """How far each pixel is from the median around it, over that or a tenth of the most."""
+    """Return how far each pixel is from the median around it, over that or a tenth of the most."""
     padded = np.pad(smooth, reach, mode="edge")
     width = 2 * reach + 1
     around = np.lib.stride_tricks.sliding_window_view(padded, (width, width))

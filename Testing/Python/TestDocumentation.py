@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the pages say is there is there, and everything that is there is on a page."""
+"""Pages name only what exists, and everything that exists is on a page."""
 
 import re
 import unittest

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What stands still looks as if it had always stood so, whatever was there before."""
+"""Scenes that stand still look as if they had always stood so, whatever was there before."""
 
 import unittest
 

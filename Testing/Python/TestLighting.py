@@ -57,7 +57,7 @@ def lit_by_kit(switched_off: int = 0) -> vtkRenderer:
 
 
 class Choice(unittest.TestCase):
-    """What "auto" stands for."""
+    """Choices of "auto"."""
 
     def check(self, renderer: vtkRenderer, preset: str, why: str, environment: Any = None) -> None:
         chosen = lighting.choose(renderer, environment)
@@ -115,7 +115,7 @@ class Enable(unittest.TestCase):
         for name in lighting.PRESETS:
             indirect = vtkindirect.enable(renderer, lighting=name)
             self.assertEqual(indirect.GetLighting(), getattr(indirect, name.upper()))
-        # What a call does not mention stays.
+        # Settings that a call does not mention stay.
         vtkindirect.enable(renderer, "gather")
         self.assertEqual(indirect.GetLighting(), indirect.STUDIO)
         vtkindirect.enable(renderer, lighting="auto")
@@ -184,7 +184,7 @@ class Follows(support.DirectoryTest):
         scene.renderer.RemoveLight(light)
         scene.render_window.Render()
         self.assertEqual(vtkindirect.report(scene.renderer)["lighting"]["used"], "full")
-        # What is set by hand stays.
+        # Values that are set by hand stay.
         indirect = vtkindirect.pass_of(scene.renderer)
         indirect.SetLightingToSoft()
         scene.render_window.Render()
@@ -293,7 +293,7 @@ def open_box(height: float) -> list[vtkPlaneSource]:
 
 @unittest.skipIf(WHY_NOT, WHY_NOT or "")
 class White(unittest.TestCase):
-    """What is white and reflects to and fro does not burn out, and what does not is as bright."""
+    """White things that light one another do not burn out, and others stay as bright."""
 
     def see(self, renderer: vtkRenderer, camera: Any, preset: str | None) -> np.ndarray:
         window = windows.render_window((80, 60), offscreen=True)

@@ -74,7 +74,7 @@ class Proxies(unittest.TestCase):
             self.assertEqual(fields.GetArray(name).GetTuple1(0), said, name)
         # Facets of 32 by 24 take 2 % of the ellipsoid's volume of 4/3 pi 0.5 1 2.
         self.assertAlmostEqual(spheres.GetSolidVolume() / (4.0 / 3.0 * np.pi), 0.98, delta=0.02)
-        # Of 30 spheres: 0.957 measured.
+        # With 30 spheres 0.957 was measured.
         self.assertGreater(spheres.GetCoveredVolume(), 0.94)
         self.assertLessEqual(spheres.GetOutput().GetNumberOfPoints(), 30)
 
@@ -214,7 +214,7 @@ class ProxyPass(unittest.TestCase):
         self.assertIsNone(proxies.GetProxies(actor))
 
     def test_moving_glyphs_take_the_sky_from_spheres(self) -> None:
-        """Of vtkGlyph3DMapper, with nothing set but an environment."""
+        """Spheres of vtkGlyph3DMapper, with nothing set but an environment."""
         ball = vtkSphereSource()
         ball.SetRadius(0.2)
         data = vtkPolyData()

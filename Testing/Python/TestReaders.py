@@ -186,7 +186,7 @@ def write_all(directory: Path) -> dict[str, int]:
 def read_alone(path: Path) -> None:
     """Read a file with VTK's reader and nothing else."""
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    # What does not return ends here. Files of some kilobytes take milliseconds of a processor, and
+    # A reader that does not return ends here. Files of some kilobytes take milliseconds of a processor, and
     # however long they wait for one does not count.
     resource.setrlimit(resource.RLIMIT_CPU, (3, 3))
     sys.stderr = sys.stdout = open(os.devnull, "w")  # noqa: SIM115

@@ -120,7 +120,7 @@ class Render(unittest.TestCase):
         self.assertLess(errors["half"], 0.13)  # what is below lights is narrower than 2 x 2 pixels
 
     def test_a_picture_has_all_its_maps_and_one_sum(self) -> None:
-        """Of a ball of so many triangles that a frame has time for 64 depth maps of 100."""
+        """A ball has so many triangles that a frame has time for 64 depth maps of 100."""
         document = support.small_scene()
         document["actors"].append(
             {"source": "sphere", "center": [0.5, 0.3, 0.5], "radius": 0.3, "resolution": 450}

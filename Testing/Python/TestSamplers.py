@@ -28,7 +28,7 @@ class Samplers(unittest.TestCase):
             visibility="none",
             interpolation=False,
             reflective_shadow_map_resolution=128,
-            # What samplers draw; lights of later bounces would be beside it.
+            # Lights of samplers alone; lights of later bounces would stand beside them.
             number_of_bounces=1,
             **values,
         )
@@ -107,7 +107,7 @@ class Tree(unittest.TestCase):
         self.assertEqual(self.lights(), moving)
         window.SetDesiredUpdateRate(0.0001)
         self.assertGreater(self.lights(), 512)
-        # What the user says is kept to.
+        # The user's choice is kept.
         vtkindirect.enable(renderer, "gather", visibility="none", number_of_lights=100)
         self.assertLessEqual(self.lights(), 100)
 

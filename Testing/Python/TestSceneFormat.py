@@ -26,7 +26,7 @@ def _set(document: Any, path: list, value: Any) -> None:
         document[path[-1]] = value
 
 
-# What is changed in the small scene, to what, and what the message must say.
+# Changes of the small scene, and the words that the message must have.
 MISTAKES = [
     (["schema"], _set, "schema: is missing"),
     (["schema"], "vtkindirect.scene/2", "schema: must be one of vtkindirect.scene/1"),

@@ -98,7 +98,7 @@ class Sharing(unittest.TestCase):
         for _ in range(2):
             for picture, (window, _) in zip(expected, shared):
                 self.assertEqual(np.abs(picture - shoot(window)).max(), 0, name)
-        # What the second frame has taken the place of is refused, and nothing is lost by it.
+        # A buffer that the second frame has replaced is refused, and nothing is lost by it.
         if not same_window:
             image = vtkImageData()
             for buffer in ("irradiance", "lights"):

@@ -21,9 +21,9 @@ LAYERS = {"sky": "S1", "bounce": "S2"}
 # 0.066. Without groups and all beyond 15 radii 0.23 and 0.32.
 SCENES = {"sky_protein": 0.1, "sky_particles": 0.04, "sky_frog": 0.15, "sky_brain": 0.15}
 BIAS = 0.03
-"""Of the direct light, over the mean. Measured: -0.017, +0.009, -0.014, -0.007."""
+"""Bias of the direct light, over the mean. Measured: -0.017, +0.009, -0.014, -0.007."""
 BOUNCE = 0.1
-"""Of the bounce, likewise. Measured: -0.055, +0.006, -0.057, -0.038."""
+"""Bias of the bounce, likewise. Measured: -0.055, +0.006, -0.057, -0.038."""
 
 
 class Traced:

@@ -102,7 +102,7 @@ LINES_NOT_RUN = {
     "demo": "Python.Demos runs it, which takes half a minute",
 }
 
-# What is added to a line for it to take seconds; the pages name what users would want.
+# Words that make a line take seconds; the pages name what users would want.
 FOR_SPEED = {
     "render": ["--size", "64x48"],
     "compare": ["--size", "48x48", "--frames", "2", "--reference-python", "none"],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the command line writes: through links, into pipes and devices, and what ends it early."""
+"""Output of the command line through links, into pipes and devices, and early ends."""
 
 import json
 import os

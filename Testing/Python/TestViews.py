@@ -56,7 +56,7 @@ class Views(support.DirectoryTest):
                 scene = self.scene(self.plane(normal))
                 camera = scene.renderer.GetActiveCamera()
                 cosine = abs(np.dot(camera.GetDirectionOfProjection(), normal))
-                # Of the broadest view the half at least.
+                # At least half of the broadest view.
                 self.assertGreater(cosine / np.linalg.norm(normal), views.LEAST_SHARE - 1e-3)
                 self.assert_fills(scene)
 

@@ -155,7 +155,7 @@ class Missing(Cells):
 
 
 class Colours(Cells):
-    """What is coloured when nobody has said by what."""
+    """Colours of data, if no array is named."""
 
     def ball(self, **by_name):
         source = vtkSphereSource()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What several tests need: places, a small scene, and a directory that is removed."""
+"""Helpers of several tests: places, a small scene, and a directory that is removed."""
 
 from __future__ import annotations
 

@@ -149,7 +149,7 @@ class Result:
 
     @property
     def good(self) -> bool:
-        """Whether the case agrees within the tolerance."""
+        """Return whether the case agrees within the tolerance."""
         return (
             self.pixels > 500
             and abs(self.of_sum) <= TOLERANCE

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What VTK draws of a scene, as numbers: the only thing that the two sides of a reference share.
+"""Numbers of a scene as VTK draws it: the only thing that the two sides of a reference share.
 
 VTK writes a description (`exporter.py`, the system's Python) and Mitsuba reads it (`tracer.py`, an
 environment of its own), so that no process needs both. A description is a folder with `scene.json`,

@@ -37,7 +37,7 @@ import numpy as np
 ORDER = 4
 COUNT = ORDER * ORDER
 ENTRIES = 64
-"""Of the table of visibility, at even steps of solid angle: 1 - cos = i / (ENTRIES - 1)."""
+"""Entries of the table of visibility, at even steps of solid angle: 1 - cos = i / (ENTRIES - 1)."""
 HALVING = 0.25
 """f is halved until it is no larger than this."""
 SMOOTH = 10
@@ -45,7 +45,7 @@ SMOOTH = 10
 STIFFNESS = 1e-5
 """Squared length of a logarithm over squared error: near a full hemisphere there is no shorter one."""
 WEIGHTS_OF_BANDS = np.array((1.0, 0.7, 0.25, 0.03))
-"""What errors of bands weigh. From sin = 0.75 on no vector of order 4 has the visibility as its
+"""Weights of the errors of bands. From sin = 0.75 on no vector of order 4 has the visibility as its
 exponential; irradiance takes bands by about 1, 2/3, 1/4 and 0."""
 
 Y00 = 0.5 / np.sqrt(np.pi)
@@ -321,7 +321,7 @@ def operator_text() -> str:
     rows = np.zeros((7, 16))
     rows[:, :14] = factors
     lines = [
-        "// What a sphere sends of a light, over its solid angle, for one along +z: the operator of",
+        "// Light that a sphere reflects, over its solid angle, for a light along +z: the operator of",
         "// \"Image-Based Proxy Accumulation for Real-Time Soft Global Illumination\", Sloan, Govindaraju,",
         "// Nowrouzezahrai, Snyder 2007, Eq 16. Written by Testing/Reference/fit_sphere_proxies.py; not to be edited.",
         "#ifndef vtkIndirectLibProxyOperator",
@@ -405,7 +405,7 @@ def table_text() -> str:
     table = over_rows(visibility_table())
     lines = [
         "// SPDX-License-Identifier: BSD-3-Clause",
-        "// What sums over spheres need in spherical harmonics. Written by",
+        "// Tables in spherical harmonics for sums over spheres. Written by",
         "// Testing/Reference/fit_sphere_proxies.py, which says what the numbers are; not to be edited.",
         "#pragma once",
         "",

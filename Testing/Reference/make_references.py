@@ -55,7 +55,7 @@ SCENES = (*DEMOS, *HARD, *SPECULAR, *SKY, *SKY_KNOWN, *SKY_SPHERES, *AREA)
 
 @dataclass(frozen=True)
 class Settings:
-    """How large and how good. `noise`: the relMSE that the noise of R2 may make, `deep_noise` that
+    """Size and quality. `noise`: the relMSE that the noise of R2 may make, `deep_noise` that
     of R3, S3 and A3, `emitted_noise` S1's and A1's, for which 1e-4 is 1 % of a typical pixel.
     `emitted_error`: the root mean square error over the mean that S1 and A1 may have.
 
@@ -108,7 +108,7 @@ class Meter:
 
 @dataclass(frozen=True)
 class Part:
-    """What batches are traced for: their label, the tracer's kind, and the first bounce."""
+    """Purpose of batches: their label, the tracer's kind, and the first bounce."""
 
     label: str
     kind: str
@@ -172,7 +172,7 @@ class Work:
 
     @property
     def surfaces(self) -> dict[str, np.ndarray]:
-        """What the eye sees; see `tracer.Tracer.surfaces`."""
+        """Return what the eye sees; see `tracer.Tracer.surfaces`."""
         with np.load(self.folder / "surfaces.npz") as loaded:
             return dict(loaded)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a reference came from, and whether it still belongs to its scene file.
+"""Origin of a reference, and a check that it still belongs to its scene file.
 
 Needs neither VTK nor Mitsuba.
 """
@@ -76,5 +76,5 @@ def why_stale(scene: str | Path, directory: Path = DATA) -> str | None:
 
 
 def is_current(scene: str | Path, directory: Path = DATA) -> bool:
-    """Whether the reference of a scene exists and belongs to the scene file as it is now."""
+    """Return whether the reference of a scene exists and belongs to the scene file as it is now."""
     return why_stale(scene, directory) is None

@@ -121,7 +121,7 @@ class Exported(unittest.TestCase):
 
 
 class References(unittest.TestCase):
-    """Which references a scene has."""
+    """Names of a scene's references."""
 
     def test_pairs(self) -> None:
         pairs = make_references.pairs_of

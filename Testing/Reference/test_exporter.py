@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the exporter takes from VTK's actors: triangles, normals, colours."""
+"""The exporter takes triangles, normals and colours from VTK's actors."""
 
 from __future__ import annotations
 

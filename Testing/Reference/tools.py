@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the scripts of this folder share: describing a scene file, and running the tracer."""
+"""Tools of this folder's scripts: describing a scene file, and running the tracer."""
 
 from __future__ import annotations
 

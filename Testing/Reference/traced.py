@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tests share that trace: running the tracer, the surfaces that it met, Lambert's formula."""
+"""Helpers of tests that trace: running the tracer, the surfaces that it met, Lambert's formula."""
 
 from __future__ import annotations
 

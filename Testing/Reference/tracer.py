@@ -50,13 +50,13 @@ LONG_ENOUGH = 2.0
 # Light -----------------------------------------------------------------------------------------------
 
 
-# What an estimator needs to know of a receiver.
+# Facts of a receiver that an estimator needs.
 RECEIVER = ("point", "back", "facet", "normal")
 
 
 @dataclass
 class World:
-    """What rays meet: the scene, and beyond it the sky where there is one; and area lights."""
+    """Things that rays meet: the scene, area lights, and the sky beyond if there is one."""
 
     scene: mi.Scene
     sky: Sky | None = None

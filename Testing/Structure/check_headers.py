@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether sources include the standard headers whose names they use.
+"""Check that sources include the standard headers whose names they use.
 
     Testing/Structure/check_headers.py [ROOT]
 

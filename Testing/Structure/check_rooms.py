@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the rooms of Module/Rendering are in order: no file includes one of a later room.
+"""Check that the rooms of Module/Rendering are in order: no file includes one of a later room.
 
     Testing/Structure/check_rooms.py [MODULE]
 
@@ -48,7 +48,7 @@ PUBLIC = {
     "vtkMultiresolutionSplattingPass": "Multiresolution",
     "vtkRadianceHintsPass": "RadianceHints",
     "vtkProxyAccumulationPass": "Proxies",
-    # What a user puts on a renderer: above all rooms.
+    # Classes that a user puts on a renderer: above all rooms.
     "vtkIndirectEstimatorPass": "",
     "vtkIndirectIlluminationPass": "",
 }

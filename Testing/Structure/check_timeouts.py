@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether a busy machine could fail a test: all have VTK_INDIRECT_TEST_TIMEOUT.
+"""Check that a busy machine cannot fail a test: all have VTK_INDIRECT_TEST_TIMEOUT.
 
     Testing/Structure/check_timeouts.py CTEST BUILD SECONDS
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether the checkout holds sources alone: tests and programs write into the build tree.
+"""Check that the checkout holds sources alone: tests and programs write into the build tree.
 
     Testing/Structure/check_tree.py [CHECKOUT]
 
@@ -33,7 +33,7 @@ ROOT = {
     "bootstrap",
 }
 SCRATCH = re.compile(r"build|\.")
-"""How entries begin that a user or a build may put into the root; git ignores them."""
+"""First letters of entries that a user or a build may put into the root; git ignores them."""
 
 MADE = re.compile(
     r"(^|/)(__pycache__|\.pytest_cache|Temporary|CMakeFiles|LC_[A-Z]+)(/|$)"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""How checks of the checkout say what they have found."""
+"""Output of the checks of the checkout."""
 
 from __future__ import annotations
 

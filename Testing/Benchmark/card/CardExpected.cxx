@@ -236,7 +236,7 @@ Json card::Expected::Check(const Method& method, const std::string& buffer, cons
           unit = magnitude;
           break;
         case Scale::Column:
-          // What is nought for all, such as a plane's height, is held against its neighbours.
+          // Values that are zero everywhere, such as a plane's height: compare neighbours.
           unit = 0.0;
           for (int k = 0; k < image.Components; ++k)
           {

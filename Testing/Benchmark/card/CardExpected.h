@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What buffers should hold: values of the same frame that were computed by the processor when the
+// Expected buffers: values of the same frame that were computed by the processor when the
 // pack was made.
 #ifndef CardExpected_h
 #define CardExpected_h

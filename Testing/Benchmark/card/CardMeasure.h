@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How long a method takes, and what its report says.
+// Measures the time of a method, and reads its report.
 #ifndef CardMeasure_h
 #define CardMeasure_h
 

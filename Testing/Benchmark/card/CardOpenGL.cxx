@@ -59,7 +59,7 @@ std::string GetString(GLenum name)
 }
 
 //------------------------------------------------------------------------------
-// What was packed, as bake.py has written it.
+// Facts of the pack, as bake.py has written them.
 std::string GetPack(const card::Options& options)
 {
   std::ifstream file(options.Pack + "/scenes/pack.txt");
@@ -88,7 +88,7 @@ Json Describe(const card::Options& options)
   {
     GLint value = 0;
     glGetIntegerv(limit.Value, &value);
-    // What an older OpenGL does not know is an error, and no limit.
+    // A name that an older OpenGL does not know is an error, and no limit.
     unit["limits"][limit.Name] = glGetError() == GL_NO_ERROR ? Json(value) : Json();
   }
   for (int i = 0; i < window->GetNumberOfDevices(); ++i)

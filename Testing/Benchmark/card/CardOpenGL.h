@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What machine and which OpenGL the results are of.
+// The machine and the OpenGL of the results.
 #ifndef CardOpenGL_h
 #define CardOpenGL_h
 

@@ -76,7 +76,7 @@ std::string GetText(const Json& unit, const char* key)
   return unit.contains(key) && unit.at(key).is_string() ? unit.at(key).get<std::string>() : "";
 }
 
-// Of a table's cell or a list's line.
+// Returns the text of a table's cell or a list's line.
 std::string OneLine(std::string text)
 {
   for (char& c : text)

@@ -38,7 +38,8 @@ struct Part
 std::vector<Part> MakeParts(const Options& options);
 
 /**
- * What words name, all without words: a part, the parts that begin with a word, such as a scene's,
+ * Parts that words name, all parts without words: a part, the parts that begin with a word,
+ * such as a scene's,
  * or with PART:UNIT one unit. Throws std::runtime_error for a word that names nothing.
  */
 std::vector<Part> Choose(const std::vector<Part>& parts, const std::vector<std::string>& words);

@@ -49,7 +49,7 @@ void card::WriteText(const std::string& path, const std::string& text)
 //------------------------------------------------------------------------------
 void card::SavePart(const std::string& output, const std::string& part, const Json& values)
 {
-  // What a driver says of itself need not be UTF-8.
+  // A driver's description of itself need not be UTF-8.
   const std::string text = values.dump(1, ' ', false, Json::error_handler_t::replace);
   WriteText(GetPath(output, part), text + "\n");
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What has been found so far: a file for each part, so that nothing is lost with a process.
+// Results so far: a file for each part, so that nothing is lost with a process.
 #ifndef CardResults_h
 #define CardResults_h
 
@@ -15,7 +15,7 @@ nlohmann::json LoadPart(const std::string& output, const std::string& part);
 /** Replaces the file at once. Throws std::runtime_error when it cannot be written. */
 void SavePart(const std::string& output, const std::string& part, const nlohmann::json& values);
 
-/** Whether a unit needs not be done again: it has ended, and however. */
+/** Returns true if a unit has ended, however it ended, so that it need not be done again. */
 bool IsDone(const nlohmann::json& part, const std::string& unit);
 
 /** Replaces a file of text at once. */

@@ -83,7 +83,7 @@ void Settle(const card::Options& options, const card::Part& part, const card::Pr
 }
 
 //------------------------------------------------------------------------------
-// Whether there is something left to do; what had no time earlier is.
+// Returns true if a unit is left to do; units that had no time earlier are left.
 bool IsPending(const card::Options& options, const card::Part& part)
 {
   Json found = card::LoadPart(options.Output, part.Name);

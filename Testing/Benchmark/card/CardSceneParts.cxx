@@ -188,7 +188,7 @@ Json Stage::Run(const card::Method& method, const std::string& label)
 
 const char* const Defaults = "defaults";
 
-// Where ways are compared: many triangles in one scene, light from several maps in the other.
+// Scenes for back-end choices: many triangles in one, light from several maps in the other.
 std::vector<std::string> ChooseScenes(const card::Options& options)
 {
   std::vector<std::string> chosen;
@@ -258,7 +258,7 @@ card::Part card::MakePathsPart(const Options& options)
   {
     part.Units.push_back(property.first);
   }
-  // How far two measurements of the same are apart.
+  // Difference of two measurements of the same thing.
   part.Units.emplace_back("defaults again");
 
   auto stages = std::make_shared<std::vector<std::unique_ptr<Stage>>>();

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace
 {
 constexpr int SkipReturnCode = 125;
-// What ctest takes for a failure, too.
+// Output that ctest takes for a failure, too.
 const char* const FailureSigns[] = { "ERR|", "ERROR: ", "still around" };
 constexpr double TestSeconds = 100.0;
 

@@ -34,7 +34,7 @@ ROOT = Path(__file__).resolve().parents[3]
 SCENES = ("apartment_living", "brain", "cornell_box", "frog", "many_objects", "room_fire")
 """Closed and open, one light and several, few triangles and many, translucent ones."""
 
-# What is copied as it is: the Get and Set methods of both sides have these names.
+# Properties that are copied as they are: the Get and Set methods of both sides have these names.
 CAMERA = ("Position", "FocalPoint", "ViewUp", "ViewAngle", "ParallelProjection", "ParallelScale",
           "ClippingRange")
 LIGHT = ("LightType", "Positional", "Position", "FocalPoint", "DiffuseColor", "SpecularColor",

@@ -58,7 +58,7 @@ EITHER = re.compile(
 has one only, and that is the system's where it is new enough."""
 
 OPENED = {"libtbb.so.12": ("libtbbmalloc.so.2",)}
-"""What libraries load by dlopen. TBB takes its own allocator if it finds it, and does without the
+"""Libraries that others load by dlopen. TBB takes its own allocator if it finds it, and does without the
 others that it looks for, as VTK places no thread. MPI and hwloc load modules only when they are
 called, and nothing here calls them."""
 
@@ -72,11 +72,11 @@ PACKAGES = {"readelf": "binutils", "strip": "binutils", "patchelf": "patchelf", 
 
 
 class PackError(Exception):
-    """What is said in one line."""
+    """Errors that are one line."""
 
 
 def run(*words: str | Path) -> str:
-    """What a tool prints; its own words, should it fail."""
+    """Return what a tool prints; its own words, should it fail."""
     command = [str(word) for word in words]
     if not shutil.which(command[0]):
         package = PACKAGES.get(command[0])
@@ -128,7 +128,7 @@ def asked(path: Path) -> list[tuple[str, str]]:
 
 
 def resolve(path: Path) -> dict[str, Path]:
-    """Where the loader of this system finds what a file needs, transitively."""
+    """Return where the loader of this system finds what a file needs, transitively."""
     found = {}
     for line in run("ldd", path).splitlines():
         name, arrow, place = line.strip().partition(" => ")
@@ -317,7 +317,7 @@ class Pack:
             path.write_bytes(data)
 
     def is_older(self, name: str) -> bool:
-        """Whether a function of a newer glibc is there under the oldest version, too: from glibc.c,
+        """Return whether a function of a newer glibc has the oldest version, too: from glibc.c,
         or from glibc itself, which keeps what it makes anew, such as hypot."""
         if self.oldest is None:
             self.oldest = set(REPLACED)
@@ -327,12 +327,12 @@ class Pack:
         return name in self.oldest
 
     def is_newer(self, version: str) -> bool:
-        """Whether a version is of a glibc newer than what the pack may need, or of none known."""
+        """Return whether a version is of a glibc that is too new for the pack, or unknown."""
         numbers = release(version)
         return numbers is None or numbers > release(f"GLIBC_{self.floor}")
 
     def check(self) -> None:
-        """That each library for which a file asks is here or the system's, and no glibc too new."""
+        """Check that the libraries of a file are here or the system's, and no glibc too new."""
         here = {path.name for path in self.files}
         for path in self.files:
             for name in needed(path):

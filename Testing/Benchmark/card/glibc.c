@@ -1,4 +1,4 @@
-/* What Debian's libstdc++, libgcc_s, libexpat and others ask of a glibc newer than 2.34, for
+/* Functions that Debian's libstdc++, libgcc_s, libexpat and others need of a glibc newer than 2.34, for
  * systems that have none: arc4random and its kin came with 2.36, _dl_find_object with 2.35.
  *
  * The packed copies of such libraries ask for these functions under GLIBC_2.2.5, a version that
@@ -105,7 +105,7 @@ static int look(struct dl_phdr_info* info, size_t size, void* data)
   return 1;
 }
 
-/* Where the table is by which exceptions are unwound. That of glibc does not lock; this is slower.
+/* Finds the table by which exceptions are unwound. glibc's own function does not lock; this is slower.
  * The map of the object is not given: libgcc, which alone calls this, does not read it. */
 int find_object(void* address, struct found_object* found) __asm__("_dl_find_object");
 

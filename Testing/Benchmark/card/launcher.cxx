@@ -31,7 +31,7 @@ namespace
 {
 const char* const Loader = "/lib64/ld-linux-x86-64.so.2";
 
-// Where a driver of NVIDIA's lies that was mounted into a container.
+// Folders of a driver of NVIDIA's that was mounted into a container.
 const std::string NvidiaLibraries = "/usr/local/nvidia/lib64";
 const std::string NvidiaVendors = "/usr/local/nvidia/share/glvnd/egl_vendor.d";
 
@@ -147,7 +147,7 @@ private:
   std::size_t Size = 0;
 };
 
-// What of a shared library matters here, or nothing when the loader would pass over the file.
+// Facts of a shared library, or nothing if the loader would pass over the file.
 struct Library
 {
   bool Valid = false;
@@ -518,7 +518,7 @@ private:
     }
   }
 
-  // Whether libglvnd finds a driver, perhaps with help.
+  // True if libglvnd finds a driver, perhaps with help.
   bool FindVendor()
   {
     const char* const variable = "__EGL_VENDOR_LIBRARY_FILENAMES";

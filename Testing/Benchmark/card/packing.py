@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tests of the pack have in common. VTK_INDIRECT_BUILD in the environment is the build."""
+"""Helpers of the tests of the pack. VTK_INDIRECT_BUILD in the environment is the build."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def run(*words: object, **options: object) -> subprocess.CompletedProcess[str]:
 
 
 def must(*words: object, **options: object) -> str:
-    """What a command prints that has to succeed."""
+    """Return what a command prints that has to succeed."""
     done = run(*words, **options)
     if done.returncode != 0:
         raise AssertionError(f"{words}: {done.stdout}{done.stderr}")
@@ -45,7 +45,7 @@ def own_glibc() -> tuple[int, ...]:
 
 
 def floor() -> tuple[int, ...]:
-    """What a pack that is made here may need: newer systems ask for more than can be replaced."""
+    """Return the needs of a pack: newer systems ask for more than can be replaced."""
     return FLOOR if own_glibc() <= (2, 36) else own_glibc()
 
 

@@ -28,7 +28,7 @@ HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[2]
 PROGRAM = os.environ.get("VTK_INDIRECT_CARD_BENCHMARK", "")
 SIZE = (256, 256)
-"""That of the scene's reference, so that pixels coincide."""
+"""Size of the scene's reference, so that pixels coincide."""
 PART = "cornell_box-256x256"
 MORE_AND_MORE = (9, 36, 90)
 """Seconds given to a run that must begin before they are over. One of them is enough on a machine
@@ -95,7 +95,7 @@ class Card(unittest.TestCase):
         path.chmod(path.stat().st_mode | stat.S_IXUSR)
         self.addCleanup(path.unlink)
 
-    # What it finds ---------------------------------------------------------------------------
+    # Findings ---------------------------------------------------------------------------
 
     def test_errors_are_those_of_the_package(self) -> None:
         results = self.results()
@@ -174,7 +174,7 @@ class Card(unittest.TestCase):
             self.assertTrue(checks[name]["passed"], checks[name])
         self.assertIn("pictures/", (results / "page.md").read_text(encoding="utf-8"))
 
-    # What goes wrong -------------------------------------------------------------------------
+    # Failures -------------------------------------------------------------------------
 
     def test_a_program_that_crashes(self) -> None:
         self.stand_in("TestPassContract", '[ "$1" = One ] && kill -SEGV $$\nexit 0')
@@ -211,7 +211,7 @@ class Card(unittest.TestCase):
         (marks / "go").touch()
         said = self.gpu("run", "contract", "--output", str(results), "--seconds", "100000")
         self.assertEqual(self.unit(results, "contract", "Two")["status"], "passed")
-        # What was done is not done again.
+        # Finished units are not done again.
         self.assertEqual((marks / "One").read_text().count("\n"), 1)
 
     def test_nothing_stays_behind(self) -> None:

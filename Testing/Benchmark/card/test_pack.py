@@ -28,7 +28,7 @@ GLIBC = {"ld-linux-x86-64.so.2", "libc.so.6", "libdl.so.2", "libm.so.6", "libpth
 
 
 def environment(**more: str) -> dict[str, str]:
-    """That of a machine where nobody has set anything."""
+    """Environment of a machine where nobody has set anything."""
     kept = {name: os.environ[name] for name in ("PATH", "HOME") if name in os.environ}
     return {**kept, "LC_ALL": "C", **more}
 
@@ -158,7 +158,7 @@ class Folder(unittest.TestCase):
         )
         self.assertEqual(done.returncode, 0, done.stdout[-2000:])
         self.assertIn("KernelParity: 0 of ", done.stdout)
-        # What came before main is the programs'; a driver's comes later.
+        # Faults before main are the programs'; a driver's come later.
         text = done.stderr
         before = text[: text.index("initialize program")]
         loaded = {Path(path) for path in re.findall(r"calling init: (/\S+)", before)}
@@ -423,7 +423,7 @@ class Errors(unittest.TestCase):
         self.place = Path(holder.name)
 
     def refused(self, done: subprocess.CompletedProcess[str], text: str) -> None:
-        """That a command failed and said why; lines of what it called may come first."""
+        """Check that a command failed and said why; lines of other programs may come first."""
         self.assertEqual(done.returncode, 1, done.stdout)
         self.assertIn(text, done.stderr)
         self.assertNotIn("Traceback", done.stderr)

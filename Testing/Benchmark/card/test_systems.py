@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What starts the packed programs, on systems made for it: folders that become the root."""
+"""Tests of the launcher of packed programs on systems that are folders and become the root."""
 
 from __future__ import annotations
 
@@ -121,7 +121,7 @@ class Systems(unittest.TestCase):
         return {**dict(line.split("=", 1) for line in variables), "words": words}
 
     def refused(self, text: str, *words: object, **variables: str) -> None:
-        """That it says one line and starts nothing."""
+        """Check that the launcher says one line and starts nothing."""
         done = self.start(*words, **variables)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (1, "", f"gpu: {text}\n"))
 
@@ -273,7 +273,7 @@ class Systems(unittest.TestCase):
             changed[position : position + 8] = b"\xff" * len(changed[position : position + 8])
             target.write_bytes(changed)
             self.assertEqual(self.start().returncode, 7, position)
-        # That of another machine is passed over, as the loader does.
+        # A library of another machine is passed over, as the loader does.
         for position, value in ((4, 1), (18, 40)):
             changed = bytearray(data)
             changed[position] = value
@@ -302,7 +302,7 @@ def mesa_files() -> set[Path]:
 @unittest.skipIf(why_no_roots() is not None, f"{why_no_roots()}")
 @unittest.skipIf(support.why_no_rendering() is not None, f"{support.why_no_rendering()}")
 class Alone(unittest.TestCase):
-    """What the pack is for: a system of nothing but glibc, Mesa's EGL, and the pack."""
+    """A system of nothing but glibc, Mesa's EGL, and the pack."""
 
     def test_it_draws(self) -> None:
         packing.require("patchelf", "readelf", "strip", "ldd")

@@ -331,7 +331,7 @@ VTK_INDIRECT_TEST(StateUntouched)
       {
         lights.push_back(vtkLight::SafeDownCast(renderer->GetLights()->GetItemAsObject(i)));
       }
-      // How often each is modified in a frame.
+      // Modifications of each in a frame.
       std::vector<vtkObject*> watched(lights.begin(), lights.end());
       watched.push_back(camera);
       growth[withPass].assign(watched.size(), 0);

@@ -113,7 +113,7 @@ def default(data: vtkDataSet) -> Found | None:
 
 
 def finite(array: vtkDataArray | None) -> bool:
-    """Whether an array, if there is one, is free of NaN and infinity."""
+    """Return whether an array, if there is one, is free of NaN and infinity."""
     if array is None or array.GetDataTypeAsString() not in ("float", "double"):
         return True
     return bool(np.isfinite(vtk_to_numpy(array)).all())

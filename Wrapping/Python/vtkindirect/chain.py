@@ -18,7 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderPass
 
 PASS = "vtkIndirectIlluminationPass"
 
-# What these draw is what the pass draws, too, in the order that VTK draws it.
+# The pass draws the same as these passes, in the order that VTK draws it.
 _PLAIN = frozenset(
     (
         "vtkCameraPass",
@@ -112,7 +112,7 @@ class Woven:
     delegates: list[tuple[Any, Any, Any]] = field(default_factory=list)
 
     def intact(self, renderer: vtkRenderer) -> bool:
-        """Whether the renderer's chain is still as it was woven."""
+        """Return whether the renderer's chain is still as it was woven."""
         return renderer.GetPass() is self.top and all(
             effect.GetDelegatePass() is now for effect, now, _ in self.delegates
         )
@@ -170,7 +170,7 @@ def why_left_out(name: str) -> str:
 
 
 def has_pyvistas_effects(renderer: vtkRenderer) -> bool:
-    """Whether a renderer's chain is one that PyVista has put together for its own effects.
+    """Return whether a renderer's chain is one that PyVista has put together for its own effects.
 
     It ends in a camera pass around a sequence that begins with VTK's usual steps.
     """
@@ -183,5 +183,5 @@ def has_pyvistas_effects(renderer: vtkRenderer) -> bool:
 
 
 def is_pyvistas(renderer: vtkRenderer) -> bool:
-    """Whether a renderer is of PyVista's own class."""
+    """Return whether a renderer is of PyVista's own class."""
     return type(renderer).__module__.partition(".")[0] == "pyvista"

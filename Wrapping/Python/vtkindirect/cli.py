@@ -305,7 +305,7 @@ def _render(arguments: argparse.Namespace) -> None:
         images.write_image(path, values, arguments.full)
     if report_path is not None:
         images.write_text(report_path, json.dumps(report, indent=2) + "\n")
-    # Where standard output has one of them, it has nothing else.
+    # If standard output has one of these files, it has nothing else.
     if not any(map(images.is_stdout, written)):
         for path in written:
             console.say(os.path.abspath(path))

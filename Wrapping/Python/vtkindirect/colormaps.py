@@ -20,7 +20,7 @@ DEFAULT = "viridis"
 """The map of data that nobody has chosen colours for: Matplotlib's and PyVista's default."""
 
 MISSING = (0.66, 0.66, 0.66)
-"""Where a value is missing (NaN): grey, which no map between two colours has."""
+"""Colour of missing values (NaN): grey, which no map between two colours has."""
 
 _MOST_CATEGORIES = 20
 """A map of Matplotlib's with no more colours than this is for categories; others have 256."""
@@ -50,7 +50,7 @@ def unknown(name: str) -> str | None:
 
 
 def is_categorical(colors: Any) -> bool:
-    """Whether a map has one colour for each distinct value, instead of one for each range."""
+    """Return whether a map has one colour for each distinct value."""
     return isinstance(colors, str) and _maps()[colors.lower()].N <= _MOST_CATEGORIES
 
 

@@ -62,7 +62,7 @@ SSAO = "ssao"
 """The row of VTK's screen-space ambient occlusion, where a run has one."""
 PROGRAM = "Testing/Benchmark/comparison.py"
 TIMES_ALONE = "none"
-"""What --reference says for rows of times, without errors."""
+"""Value of --reference for rows of times, without errors."""
 
 Result = dict[str, Any]
 
@@ -76,7 +76,7 @@ def fingerprint(path: Path | None) -> str:
 
 def _one_line(error: Exception) -> str:
     text = " ".join(str(error).split())
-    # What is not one of the package's own errors is not written to be read alone.
+    # Errors of other packages are not written to be read alone.
     readable = isinstance(error, (IndirectError, MetricError))
     return text if readable else f"{type(error).__name__}: {text}"
 
@@ -230,7 +230,7 @@ class Run:
         return result
 
     def judged(self, _row: Row, seen: references.Buffers) -> Result:
-        """What a row says of its frame."""
+        """Return what a row says of its frame."""
         return self.judge(seen)
 
     def attempt(self, row: Row, work: Callable[[], Result]) -> Result:
@@ -334,7 +334,7 @@ def add_arguments(
 
 
 def sweep_of(arguments: argparse.Namespace) -> sweep.Sweep:
-    """What the command line asks to be run."""
+    """Return what the command line asks to be run."""
     if arguments.sweep:
         return sweep.load(arguments.sweep)
     return sweep.default((arguments.methods or "gather").split(","))
@@ -357,7 +357,7 @@ def _given(stored: Path, scenes: int) -> Path:
 
 
 def wants_errors(arguments: argparse.Namespace) -> bool:
-    """Whether the command line asks for errors beside the times."""
+    """Return whether the command line asks for errors beside the times."""
     return bool(arguments.reference != TIMES_ALONE)
 
 

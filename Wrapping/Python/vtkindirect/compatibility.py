@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whether this package fits the Python and the VTK that it is imported with.
+"""Check that this package fits the Python and the VTK that it is imported with.
 
 Its libraries use VTK's classes as they were laid out when it was built. With another VTK, be it
 another patch release or another build of the same one, the process ends at some call into them, so
@@ -17,7 +17,7 @@ from typing import Any
 
 
 def _is_loaded(library: str) -> bool:
-    """Whether the process has a shared library, by its SONAME, already."""
+    """Return whether the process has a shared library, by its SONAME, already."""
     try:
         ctypes.CDLL(library, mode=os.RTLD_NOLOAD | os.RTLD_LAZY)
     except OSError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the command line says on standard output, each time to the end."""
+"""Text of the command line on standard output, written to the end each time."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ def say(text: str) -> None:
     try:
         print(text, flush=True)
     except OSError as error:
-        # What is left in Python's buffer would fail again, in its own words, when Python ends.
+        # Text that is left in Python's buffer would fail again when Python ends.
         with open(os.devnull, "wb") as nothing:
             os.dup2(nothing.fileno(), 1)
         closed = isinstance(error, BrokenPipeError)

@@ -54,7 +54,7 @@ class _Damaged(Exception):
     """The file is not as its reader needs it."""
 
 
-# What readers end the program for -----------------------------------------------------------------
+# Faults for which readers end the program ---------------------------------------------------------
 
 
 def _check_stl(path: Path) -> None:
@@ -154,7 +154,7 @@ _INTEGER = re.compile(rb" *[-+]?\d+ *")
 
 
 def _have_numbers(line: bytes, columns: tuple[slice, ...], number: re.Pattern[bytes]) -> bool:
-    """Whether all these columns of a line are there and hold numbers."""
+    """Return whether all these columns of a line are there and hold numbers."""
     return all(len(line) >= column.stop and number.fullmatch(line[column]) for column in columns)
 
 
@@ -219,7 +219,7 @@ READERS = (
 )
 
 _SAID_AS_WARNINGS = ("Error reading", "Invalid line")
-"""How warnings of VTK's legacy readers begin that a file ends early."""
+"""First words of the warnings of VTK's legacy readers about a file that ends early."""
 
 ENDINGS = tuple(ending for reader in READERS for ending in reader.endings)
 
@@ -243,7 +243,7 @@ def stem(path: Path) -> str:
 
 
 def is_molecule(path: Path) -> bool:
-    """Whether the points of a file are atoms with a radius."""
+    """Return whether the points of a file are atoms with a radius."""
     row = reader_for(path)
     return row is not None and row.make is vtkPDBReader
 
@@ -320,7 +320,7 @@ def _read_with(
     if not said.errors and not reader.GetErrorCode():
         data = _merged(reader.GetOutputDataObject(0), path)
     if data is None or said.errors:
-        # What the pipeline adds to a reader's own words is no reason.
+        # The pipeline's words, which follow the reader's, give no reason.
         own = [text for text in said.errors if not text.startswith("Algorithm vtk")]
         said.errors = own or ["its reader gave no reason"]
         raise _Damaged(said.first_error().replace(str(source), str(path)))

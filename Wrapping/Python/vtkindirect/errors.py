@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What can go wrong, in two kinds: the user's input, and the machine it runs on."""
+"""Two kinds of errors: of the user's input, and of the machine that the program runs on."""
 
 from __future__ import annotations
 

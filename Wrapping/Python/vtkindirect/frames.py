@@ -20,12 +20,12 @@ from vtkindirect.scene import Scene
 
 REPORT_SCHEMA = "vtkindirect.report/1"
 DELEGATE_ALONE = "the delegate alone"
-"""What a report says to be modelled when the pass left the picture to VTK."""
+"""Entry of a report's `modelled` when the pass left the picture to VTK."""
 NO_INDIRECT_LIGHT = "indirect light"
-"""What a report says to be left out when there is only direct light."""
+"""Entry of a report's `left_out` when there is only direct light."""
 
 PACES = ("moving", "still", "standing")
-"""What the camera does while frames are measured, and how long a frame may take.
+"""Names for the camera's motion while frames are measured, and for the time of a frame.
 
 moving: it turns around its focal point, at the rate that VTK asks for while somebody drags.
 still: it turns likewise, and each frame is rendered as one of a camera that stands.
@@ -47,12 +47,12 @@ MOST_FILLING_FRAMES = 64
 they never are all there."""
 
 Filling = Callable[[], bool]
-"""Whether the last frame has drawn depth maps, so that there may be more to draw."""
+"""True if the last frame has drawn depth maps, so that there may be more to draw."""
 
 
 @dataclass
 class Job:
-    """What to render: a method, its settings and the number of frames to measure.
+    """A method to render with, its settings and the number of frames to measure.
 
     `pace` is one of `PACES`, or None: the camera turns by so little that no pixel changes.
     `lighting` as `vtkindirect.enable` has it; None keeps what it does by itself.

@@ -44,14 +44,14 @@ BUFFERS = (
     "lobes",
 )
 MAP_BUFFERS = ("depth", "normal", "density")
-# Of multiresolution splatting; <n> is a level, 0 for pixels.
+# Buffers of multiresolution splatting; <n> is a level, 0 for pixels.
 SUBSPLAT_BUFFERS = (
     "subsplat.level",
     "subsplat.outline",
     "subsplat.evaluated<n>",
     "subsplat.upsampled<n>",
 )
-# Of splatting: the number of splats at each pixel over 256.
+# A buffer of splatting: the number of splats at each pixel over 256.
 SPLAT_BUFFERS = ("splat.overdraw",)
 FORMATS = (".png", ".exr")
 
@@ -113,7 +113,7 @@ def window_floats(window: vtkRenderWindow) -> np.ndarray:
 
 
 def is_stream(path: Path) -> bool:
-    """Whether a path is written to as it goes: a pipe, a device such as /dev/null, a terminal."""
+    """Return whether a path is a stream: a pipe, a device such as /dev/null, a terminal."""
     try:
         mode = path.stat().st_mode
     except OSError:
@@ -122,7 +122,7 @@ def is_stream(path: Path) -> bool:
 
 
 def is_stdout(path: Path) -> bool:
-    """Whether a path is what standard output goes to, such as /dev/stdout."""
+    """Return whether a path is what standard output goes to, such as /dev/stdout."""
     try:
         return os.path.samestat(path.stat(), os.fstat(1))
     except OSError:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which lighting a renderer gets: a preset of the pass, or what suits the lights that it has."""
+"""Choice of a renderer's lighting: a preset of the pass, or the one that suits its lights."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def check(name: str) -> str:
 
 
 def is_property(name: str) -> bool:
-    """Whether a setting's name is that of the pass's property."""
+    """Return whether a setting's name is that of the pass's property."""
     return settings.camel(name).lower() == PROPERTY.lower()
 
 
@@ -38,7 +38,7 @@ def _lights(renderer: vtkRenderer) -> list[vtkLight]:
 
 
 def _follows_camera(light: vtkLight) -> bool:
-    """Whether a light stands still beside the camera and lights all that it sees.
+    """Return whether a light stands still beside the camera and lights all that it sees.
 
     One with a place, a cone or falloff does not: somebody has aimed it.
     """
@@ -46,7 +46,7 @@ def _follows_camera(light: vtkLight) -> bool:
 
 
 def _shines(light: vtkLight) -> bool:
-    """Whether a light adds something."""
+    """Return whether a light adds something."""
     return light.GetIntensity() > 0.0 and max(light.GetDiffuseColor()) > 0.0
 
 

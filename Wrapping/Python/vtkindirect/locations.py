@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the demonstration scenes are: beside the sources, or installed."""
+"""Folder of the demonstration scenes: beside the sources, or installed."""
 
 from __future__ import annotations
 

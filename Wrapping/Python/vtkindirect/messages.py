@@ -22,7 +22,7 @@ def _first_line(text: str) -> str:
 
 @dataclass
 class Messages:
-    """What VTK reported while it was captured, each text on one line."""
+    """Messages that VTK reported during a capture, each on one line."""
 
     errors: list[str] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)

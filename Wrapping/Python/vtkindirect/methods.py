@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which methods there are, and switching indirect light on and off.
+"""Names of the methods, and functions that switch indirect light on and off.
 
 One row of `METHODS` is one method. A method whose C++ class was not built is known by name and
 refused with a clear message; nothing else needs to change when the class is there.
@@ -25,7 +25,7 @@ from vtkindirect.errors import UsageError, check_text, unknown
 
 @dataclass(frozen=True)
 class Method:
-    """How a method is made: its estimator and the sampler that it has by default."""
+    """Parts of a method: its estimator and the sampler that it has by default."""
 
     name: str
     estimator: str | None
@@ -100,7 +100,7 @@ def check_sampler(name: str) -> str:
 
 @dataclass
 class _Record:
-    """What `enable` did to a renderer, and the settings that were asked for since."""
+    """Changes of `enable` to a renderer, and the settings that were asked for since."""
 
     indirect: Any
     method: str | None = None

@@ -49,7 +49,7 @@ class Errors:
     shape: float
     """nrmse after the one scale that fits best: what is left when brightness is forgiven."""
     scale: float
-    """That scale: image times scale fits the reference best."""
+    """The scale of `shape`: image times scale fits the reference best."""
     leak: float
     """Share of the image's light that lies where the reference has none."""
 

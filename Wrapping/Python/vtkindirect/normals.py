@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 
 
 def has(data: vtkPolyData) -> bool:
-    """Whether points have normals."""
+    """Return whether points have normals."""
     return data.GetPointData().GetNormals() is not None
 
 

@@ -30,7 +30,7 @@ _MODULES = ("vtkFilters", "vtkImaging", "vtkCommonDataModel", "vtkCommonTransfor
 
 _LIKELY = ("vtkFiltersCore", "vtkFiltersGeneral", "vtkFiltersSources", "vtkCommonDataModel")
 
-# Of every filter; what goes in is the pipeline's business.
+# Properties of every filter; the pipeline sets the inputs.
 _INHERITED = frozenset((*dir(vtkAlgorithm), "SetInputData", "SetOutput"))
 
 

@@ -133,7 +133,7 @@ _NEW_NORMALS = ("warp_scalar", "smooth", "decimate")
 """Steps that move points or drop some: smooth normals are computed anew where there were any."""
 
 
-# What a step makes of its keys --------------------------------------------------------------------
+# Filters that a step makes of its keys ------------------------------------------------------------
 
 
 def _three(value: Any) -> list[Any]:

@@ -35,7 +35,7 @@ class IndirectComponent:
 
     @property
     def enabled(self) -> bool:
-        """Whether indirect light is on in the active subplot."""
+        """Return whether indirect light is on in the active subplot."""
         return methods.pass_of(self._plotter) is not None
 
     def report(self) -> dict[str, Any]:

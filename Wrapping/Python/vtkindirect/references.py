@@ -39,11 +39,11 @@ ALL_LIGHT = "irradiance"
 BUFFERS = {"S1": "sky", "A1": "area"}
 """The buffer that a reference is of."""
 Buffers = Mapping[str, np.ndarray]
-"""What a frame holds of light, by the name of the buffer."""
+"""Buffers of a frame's light by name."""
 MAP_TEXELS = 256
 """Edge of the maps that make R1; at 128 its own relMSE is below 2e-5."""
 FACTOR = 3
-"""How many times the size of a stored reference the image is when nobody says."""
+"""Width of an image over that of its stored reference, if no size is given."""
 
 
 @dataclass
@@ -108,7 +108,7 @@ def names_of(scene: Scene) -> tuple[str, ...]:
 
 
 def has_r1(scene: Scene) -> bool:
-    """Whether R1 judges images of a scene: whether they hold light of VTK's lights alone."""
+    """Return whether R1 judges images of a scene: whether they hold light of VTK's lights alone."""
     return names_of(scene) == LIGHTS
 
 

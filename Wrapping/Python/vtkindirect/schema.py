@@ -21,7 +21,7 @@ from vtkindirect.errors import SceneError, suggestion
 
 Values = dict[str, Any]
 Wrong = Iterator[tuple[Any, ...]]
-"""What is wrong, and where in the value: a text and the steps to the place."""
+"""A fault and its place in the value: a text and the steps to the place."""
 
 
 def fail(path: str, text: str) -> SceneError:
@@ -34,7 +34,7 @@ def member(path: str, key: str) -> str:
     return f"{path}.{key}" if path else key
 
 
-# What the schema cannot say -----------------------------------------------------------------------
+# Rules that the schema cannot state ---------------------------------------------------------------
 
 
 def _direction(value: list[float]) -> Wrong:

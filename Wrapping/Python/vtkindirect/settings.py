@@ -36,7 +36,7 @@ def snake(name: str) -> str:
 
 
 def _readable(target: vtkObjectBase, name: str) -> bool:
-    """Whether a property has a value: its getter takes no arguments."""
+    """Return whether a property has a value: its getter takes no arguments."""
     try:
         getattr(target, f"Get{name}")()
     except TypeError:

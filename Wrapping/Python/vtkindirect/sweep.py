@@ -48,7 +48,7 @@ class Row:
 
 @dataclass(frozen=True)
 class Sweep:
-    """What a comparison runs on each scene."""
+    """Rows that a comparison runs on each scene."""
 
     rows: list[Row]
     flicker: bool = False

@@ -10,15 +10,15 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 OBLIQUE = {"z": (1.0, 1.0, 1.0), "y": (0.5, 0.4, 1.0)}
-"""Where the camera is by default, seen from the data, where an axis points up: PyVista's isometric
+"""Default direction from the data to the camera, if an axis points up: PyVista's isometric
 view, and a view from the front that shows the top and a side, too."""
 
 LEAST_SHARE = 0.5
-"""Of the area that the side with the largest outline has: a default view that shows less is
+"""Share of the area of the side with the largest outline: a default view that shows less is
 replaced by that side. A square that lies in a plane of coordinates shows 0.58 from (1, 1, 1)."""
 
 MARGIN = 0.05
-"""Of the picture, that stays empty on each side."""
+"""Share of the picture that stays empty on each side."""
 
 _DIRECTIONS = 256
 

@@ -22,7 +22,7 @@ LARGEST = 16384
 
 
 def has_display() -> bool:
-    """Whether a window can be shown. Opens and closes a connection to the X server to find out."""
+    """Return whether a window can be shown. Opens and closes a connection to the X server."""
     if sys.platform in ("win32", "darwin"):
         return True
     if not os.environ.get("DISPLAY"):

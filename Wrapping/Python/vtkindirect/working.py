@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What VTK's readers and filters say of their work while it goes on, to whoever listens."""
+"""Progress of VTK's readers and filters, for whoever listens."""
 
 from __future__ import annotations
 

@@ -88,12 +88,12 @@ def _find(name: str) -> Any:
 
 
 def has(name: str) -> bool:
-    """Whether a C++ class of this project is there."""
+    """Return whether a C++ class of this project is there."""
     return _find(name) is not None
 
 
 def missing(module_name: str) -> bool:
-    """Whether one of `MODULES` could not be imported."""
+    """Return whether one of `MODULES` could not be imported."""
     return module_name in _missing
 
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What sums over spheres need in spherical harmonics. Written by
+// Tables in spherical harmonics for sums over spheres. Written by
 // Testing/Reference/fit_sphere_proxies.py, which says what the numbers are; not to be edited.
 #pragma once
 

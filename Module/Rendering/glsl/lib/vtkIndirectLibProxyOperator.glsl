@@ -1,4 +1,4 @@
-// What a sphere sends of a light, over its solid angle, for one along +z: the operator of
+// Light that a sphere reflects, over its solid angle, for a light along +z: the operator of
 // "Image-Based Proxy Accumulation for Real-Time Soft Global Illumination", Sloan, Govindaraju,
 // Nowrouzezahrai, Snyder 2007, Eq 16. Written by Testing/Reference/fit_sphere_proxies.py; not to be edited.
 #ifndef vtkIndirectLibProxyOperator
