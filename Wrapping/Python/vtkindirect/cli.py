@@ -84,7 +84,8 @@ def _add_lighting_argument(parser: argparse.ArgumentParser) -> None:
     )
 
 
-def _add_scene_arguments(parser: argparse.ArgumentParser) -> None:
+def _add_scene_arguments(parser: argparse.ArgumentParser, lit: bool = True) -> None:
+    """Add the arguments of a picture; `lit`: with the lighting."""
     known = ", ".join(methods.METHODS)
     parser.add_argument(
         "scene", metavar="SCENE_OR_DATA", help="a scene file (.json) or a data file that VTK reads"
@@ -96,7 +97,8 @@ def _add_scene_arguments(parser: argparse.ArgumentParser) -> None:
         help="how virtual lights are chosen: "
         f"{', '.join(methods.SAMPLERS)} (default: the method's own)",
     )
-    _add_lighting_argument(parser)
+    if lit:
+        _add_lighting_argument(parser)
     parser.add_argument(
         "--size", type=_size, metavar="WxH", help="picture size in pixels (default: the scene's)"
     )
@@ -188,6 +190,18 @@ def commands() -> dict[str, argparse.ArgumentParser]:
         "--size", type=_size, metavar="WxH", help="size of each picture (default: the scene's)"
     )
     show.set_defaults(run=_demo)
+
+    white = known.add_parser(
+        "furnace",
+        help="check that no light is lost or invented",
+        description="Render all surfaces white under a sky of 1. The irradiance is 1 everywhere, whatever "
+        "the geometry; print how far it is from 1.",
+    )
+    _add_scene_arguments(white, lit=False)
+    white.add_argument(
+        "-o", "--output", metavar="FILE", help="a .png or .exr file of the irradiance (default: none)"
+    )
+    white.set_defaults(run=_furnace, lighting="scene")
 
     versus = known.add_parser(
         "compare",
@@ -320,6 +334,27 @@ def _view(arguments: argparse.Namespace) -> None:
     viewer.view(_load(arguments.scene), job, arguments.size)
 
 
+def _furnace(arguments: argparse.Namespace) -> None:
+    from vtkindirect import furnace
+
+    if arguments.method == "off":
+        raise UsageError("method 'off' has no irradiance")
+    job = _job(arguments)
+    output = images.check_output(arguments.output, images.FORMATS) if arguments.output else None
+    if output is not None:
+        _check_places([output], arguments.scene)
+    scene = _load(arguments.scene)
+    window = frames.open_window(scene, arguments.size)
+    with Progress(f"furnace of {scene.name}", job.all_frames) as bar:
+        found = furnace.measure(scene, window, job, bar.step)
+    if output is not None:
+        images.write_image(output, found.irradiance, False)
+    if output is None:
+        console.say(found.line(scene.name))
+    elif not images.is_stdout(output):
+        console.say(f"{found.line(scene.name)}\n{os.path.abspath(output)}")
+
+
 def _demo(arguments: argparse.Namespace) -> None:
     names = list(dict.fromkeys(arguments.names)) or list(locations.DEMOS)
     for name in names:
@@ -357,7 +392,7 @@ def _dispatch(words: Sequence[str], comparison: Comparison) -> None:
     if arguments.version:
         console.say(_versions())
     elif arguments.command is None:
-        raise UsageError("a command is needed: render, view, demo or compare (see --help)")
+        raise UsageError("a command is needed: render, view, demo, furnace or compare (see --help)")
     elif arguments.command == "compare":
         comparison(arguments, _load)
     else:
