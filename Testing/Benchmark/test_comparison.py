@@ -232,7 +232,7 @@ class WhatTheTextNames(unittest.TestCase):
             row("mitsuba all bounces denoised 4 spp", "mitsuba", 0.02, indirect_ms=300.0),
             row("mitsuba all bounces 64 spp", "mitsuba", 0.01, indirect_ms=900.0),
         ]  # fmt: skip
-        expected = "| s | 10 |  | 1.50 | 0.0200, -25 % |  |  |  |  | 0.3 | 15.0 |"
+        expected = "| s | 10 |  | 1.50 | 0.020, -25 % |  |  |  |  | 0.3 | 15.0 |"
         self.assertIn(expected, publish.at_a_glance(rows))
         # No row of the path tracer has the default's error.
         self.assertIn("| > 0.3 | > 15.0 |", publish.at_a_glance(rows[:2] + rows[2:4][:1] + [
