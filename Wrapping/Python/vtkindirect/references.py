@@ -144,6 +144,16 @@ def mask(scene: Scene) -> np.ndarray:
     return metrics.receiver_mask(depth, images.copy_buffer(scene.renderer, "normal"))
 
 
+def eye(scene: Scene) -> tuple[np.ndarray, np.ndarray]:
+    """Receivers (see `mask`) and normals, 0 without a surface, of a scene in its window."""
+    methods.enable(scene.renderer, "gather", lighting="scene", NumberOfLights=1)
+    try:
+        scene.render_window.Render()
+        return mask(scene), images.copy_buffer(scene.renderer, "normal")
+    finally:
+        methods.disable(scene.renderer)
+
+
 def read_layer(path: Path, layer: str) -> np.ndarray | None:
     """A layer of an EXR file, bottom row first; None when the file has no such layer."""
     reader = wrapped.get("vtkOpenEXRReader")()
@@ -217,12 +227,6 @@ def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> Referen
         # Beside stored references R1 needs no more pixels than these.
         heights = {image.shape[0] for image in images_found.values()}
         first["R1"] = r1(scene, size[1] // max(heights) if heights else 1)
-    methods.enable(scene.renderer, "gather", lighting="scene", NumberOfLights=1)
-    try:
-        scene.render_window.Render()
-        receivers = mask(scene)
-        normal = images.copy_buffer(scene.renderer, "normal")
-    finally:
-        methods.disable(scene.renderer)
+    receivers, normal = eye(scene)
     surfaces = np.linalg.norm(normal, axis=-1) > 0.5
     return References(receivers, {**first, **images_found}, missing, surfaces)
