@@ -6,6 +6,7 @@
 #include "Frame/vtkIndirectSettingList.h"
 #include "Gather/vtkIndirectSum.h"
 #include "vtkIndirectIlluminationPass.h"
+#include "vtkVirtualLightSampler.h"
 
 //------------------------------------------------------------------------------
 vtkIndirectEstimatorPass::vtkIndirectEstimatorPass(std::unique_ptr<vtkIndirectSum> sum)
@@ -33,6 +34,32 @@ void vtkIndirectEstimatorPass::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectEstimatorPass::SetPreset(int preset)
+{
+  preset = preset == PAPER ? PAPER : ROBUST;
+  if (preset == this->Preset)
+  {
+    return;
+  }
+  this->Preset = preset;
+  this->SamplerOfPreset = this->Preset == PAPER ? this->MakeSamplerOfPaper() : nullptr;
+  this->ApplyPreset();
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkVirtualLightSampler> vtkIndirectEstimatorPass::MakeSamplerOfPaper() const
+{
+  return nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkVirtualLightSampler* vtkIndirectEstimatorPass::GetSamplerOfPreset() const
+{
+  return this->SamplerOfPreset;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::Render(const vtkRenderState* s)
 {
   vtkIndirectIlluminationPass* pass = this->GetIlluminationPass();
@@ -54,6 +81,10 @@ vtkIndirectIlluminationPass* vtkIndirectEstimatorPass::GetIlluminationPass()
 //------------------------------------------------------------------------------
 void vtkIndirectEstimatorPass::ReleaseGraphicsResources(vtkWindow* window)
 {
+  if (this->SamplerOfPreset)
+  {
+    this->SamplerOfPreset->ReleaseGraphicsResources(window);
+  }
   // The illumination pass releases its estimator, this one, in its turn.
   if (this->Sum->EndContext(window) && this->Whole && !this->IsReleasing)
   {

@@ -27,6 +27,7 @@
 
 class vtkIndirectIlluminationPass;
 class vtkIndirectSum;
+class vtkVirtualLightSampler;
 
 class VTKRENDERINGINDIRECT_EXPORT vtkIndirectEstimatorPass : public vtkOpenGLRenderPass
 {
@@ -45,6 +46,33 @@ public:
 
   /** Returns a short name for reports, e.g. "gather". */
   virtual const char* GetMethodName() const = 0;
+
+  enum PresetType
+  {
+    ROBUST = 0,
+    PAPER = 1
+  };
+
+  ///@{
+  /**
+   * ROBUST: the defaults. PAPER: the method as published, for comparisons. Setting PAPER gives this
+   * estimator's properties the values of its paper, and setting ROBUST gives them their defaults;
+   * both overwrite what was set before, and properties may be changed afterwards. With PAPER, too,
+   * an automatic Visibility of the pass hides nothing, an automatic NumberOfBounces is one, and a
+   * pass without a sampler takes that of the paper (GetSamplerOfPreset). Each class's page lists
+   * where PAPER departs from the paper. Default ROBUST.
+   */
+  void SetPreset(int preset);
+  int GetPreset() const { return this->Preset; }
+  void SetPresetToRobust() { this->SetPreset(ROBUST); }
+  void SetPresetToPaper() { this->SetPreset(PAPER); }
+  ///@}
+
+  /**
+   * Returns the sampler that a vtkIndirectIlluminationPass without a sampler takes for this
+   * estimator: with PAPER that of the paper. Null: the pass's default, a vtkLightTreeSampler.
+   */
+  vtkVirtualLightSampler* GetSamplerOfPreset() const;
 
   ///@{
   /**
@@ -72,6 +100,11 @@ protected:
   explicit vtkIndirectEstimatorPass(std::unique_ptr<vtkIndirectSum> sum);
   ~vtkIndirectEstimatorPass() override;
 
+  /** Gives the estimator's own properties the values of the preset. */
+  virtual void ApplyPreset() {}
+  /** Makes the paper's sampler; null: the paper has none, or the estimator takes none. */
+  virtual vtkSmartPointer<vtkVirtualLightSampler> MakeSamplerOfPaper() const;
+
 private:
   vtkIndirectEstimatorPass(const vtkIndirectEstimatorPass&) = delete;
   void operator=(const vtkIndirectEstimatorPass&) = delete;
@@ -83,6 +116,8 @@ private:
     int OccupancyResolution = 128;
   };
   SettingsType Settings;
+  int Preset = ROBUST;
+  vtkSmartPointer<vtkVirtualLightSampler> SamplerOfPreset;
 
   friend class vtkIndirectSum;
   const std::unique_ptr<vtkIndirectSum> Sum;

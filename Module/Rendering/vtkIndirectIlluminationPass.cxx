@@ -191,7 +191,10 @@ vtkIndirectEstimatorPass* vtkIndirectIlluminationPass::GetActiveEstimator()
 //------------------------------------------------------------------------------
 vtkVirtualLightSampler* vtkIndirectIlluminationPass::GetActiveSampler()
 {
-  return this->Sampler ? this->Sampler : this->Internal->Pipeline.Samplers.Default;
+  vtkVirtualLightSampler* preset = this->GetActiveEstimator()->GetSamplerOfPreset();
+  return this->Sampler ? this->Sampler
+    : preset           ? preset
+                       : this->Internal->Pipeline.Samplers.Default.Get();
 }
 
 //------------------------------------------------------------------------------

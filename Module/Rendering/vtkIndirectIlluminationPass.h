@@ -73,7 +73,10 @@ public:
   ///@}
 
   ///@{
-  /** The sampler, which chooses virtual lights. Default null: automatic, a vtkLightTreeSampler. */
+  /**
+   * The sampler, which chooses virtual lights. Default null: automatic, a vtkLightTreeSampler, or
+   * that of the estimator's preset (vtkIndirectEstimatorPass::SetPreset).
+   */
   virtual void SetSampler(vtkVirtualLightSampler* sampler);
   vtkGetObjectMacro(Sampler, vtkVirtualLightSampler);
   ///@}
@@ -250,9 +253,10 @@ public:
   /**
    * Bounces of indirect light. Default 0: automatic. For estimators of virtual lights, if no light
    * with a map follows the camera, these are all bounces that a random walk finds (128 at most;
-   * paths end by themselves where little light is left); else 1. Range 0 to 16. The report lists
-   * bounces that neither the estimator nor a walk computes under left_out, with the light of
-   * bounces after a walk's last one.
+   * paths end by themselves where little light is left), and 8 for vtkRadianceHintsPass; else 1,
+   * and with the preset PAPER of an estimator. Range 0 to 16. The report lists bounces that neither
+   * the estimator nor a walk computes under left_out, with the light of bounces after a walk's last
+   * one.
    */
   vtkIndirectClampMacro(NumberOfBounces, int, 0, 16);
   ///@}

@@ -18,6 +18,7 @@
 #include "Splatting/vtkIndirectSplatTable.h"
 #include "Splatting/vtkIndirectSplats.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "vtkImportanceLightSampler.h"
 #include "vtkObjectFactory.h"
 #include "vtkWeakPointer.h"
 
@@ -70,6 +71,29 @@ private:
 vtkIndirectSplattingPass::vtkIndirectSplattingPass()
   : vtkIndirectEstimatorPass(std::make_unique<SplatSum>(*this))
 {
+}
+
+//------------------------------------------------------------------------------
+// Colour plate 3 of the paper: 768 lights at 5 %.
+void vtkIndirectSplattingPass::ApplyPreset()
+{
+  this->Settings = SettingsType();
+  if (this->GetPreset() == PAPER)
+  {
+    this->Settings.IntensityThreshold = 0.05;
+    this->Settings.FarField = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkVirtualLightSampler> vtkIndirectSplattingPass::MakeSamplerOfPaper() const
+{
+  auto sampler = vtkSmartPointer<vtkImportanceLightSampler>::New();
+  sampler->SetNumberOfLights(768);
+  sampler->SetLevels(4);
+  sampler->SetEvenness(0.0);
+  sampler->SetOcclusion(1.0);
+  return sampler;
 }
 
 //------------------------------------------------------------------------------

@@ -33,6 +33,9 @@
  * about the surface where the lobe, normalised and widened near its light, reaches I_low. The light
  * that these splats cut off is measured and restored with the rest.
  *
+ * The preset PAPER (SetPreset) is the method as published: I_low of 0.05, light beyond the bounds
+ * is lost, and 768 lights by hierarchical warping (vtkImportanceLightSampler).
+ *
  * Memory: 16 bytes a pixel, 32 for each sample of the far field, and 32 a light, 64 if lights have
  * lobes.
  */
@@ -90,6 +93,9 @@ public:
 protected:
   vtkIndirectSplattingPass();
   ~vtkIndirectSplattingPass() override = default;
+
+  void ApplyPreset() override;
+  vtkSmartPointer<vtkVirtualLightSampler> MakeSamplerOfPaper() const override;
 
 private:
   vtkIndirectSplattingPass(const vtkIndirectSplattingPass&) = delete;

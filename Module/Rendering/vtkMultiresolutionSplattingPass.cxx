@@ -5,6 +5,7 @@
 
 #include "Multiresolution/vtkIndirectSubsplatSum.h"
 #include "vtkObjectFactory.h"
+#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 
@@ -26,16 +27,20 @@ vtkMultiresolutionSplattingPass::vtkMultiresolutionSplattingPass(
 vtkMultiresolutionSplattingPass::~vtkMultiresolutionSplattingPass() = default;
 
 //------------------------------------------------------------------------------
-void vtkMultiresolutionSplattingPass::SetPreset(int preset)
+void vtkMultiresolutionSplattingPass::ApplyPreset()
 {
-  preset = preset == PAPER ? PAPER : ROBUST;
-  if (preset != this->Settings.Preset)
-  {
-    this->Settings.Preset = preset;
-    *this->Details =
-      preset == PAPER ? vtkIndirectSubsplatDetails::OfPaper() : vtkIndirectSubsplatDetails();
-    this->Modified();
-  }
+  this->Settings = SettingsType();
+  *this->Details = this->GetPreset() == PAPER ? vtkIndirectSubsplatDetails::OfPaper()
+                                              : vtkIndirectSubsplatDetails();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkVirtualLightSampler> vtkMultiresolutionSplattingPass::MakeSamplerOfPaper() const
+{
+  auto sampler = vtkSmartPointer<vtkUniformLightSampler>::New();
+  sampler->SetPatternToGrid();
+  sampler->SetLitTexels(false);
+  return sampler;
 }
 
 //------------------------------------------------------------------------------

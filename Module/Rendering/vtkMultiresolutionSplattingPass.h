@@ -18,6 +18,10 @@
  * - Neighbours count in the interpolation only if they lie on the same plane, so no light crosses
  *   an edge between two subsplats.
  *
+ * The preset PAPER (SetPreset) splits as Nichols and Wyman do, by min-max pyramids of depth and
+ * normal from 16 texels on, and interpolates linearly; 256 lights are a regular grid in the lights'
+ * maps.
+ *
  * Approximations: those of vtkRSMGatherPass over the same lights, to which the result converges as
  * the thresholds go to 0, and the interpolation's error, of either sign.
  *
@@ -53,25 +57,6 @@ public:
   vtkTypeMacro(vtkMultiresolutionSplattingPass, vtkIndirectEstimatorPass);
 
   const char* GetMethodName() const override { return "multiresolution"; }
-
-  enum PresetType
-  {
-    ROBUST = 0,
-    PAPER = 1
-  };
-
-  ///@{
-  /**
-   * Variants of the method. ROBUST splits where a subsplat's surface leaves its plane or its light
-   * bends, balances the subsplats, and follows each pixel's own normal. PAPER splits as Nichols and
-   * Wyman do, by min-max pyramids of depth and normal from 16 texels on, and nothing hides senders
-   * if the pass's Visibility is automatic. Default ROBUST.
-   */
-  virtual void SetPreset(int preset);
-  int GetPreset() const { return this->Settings.Preset; }
-  void SetPresetToRobust() { this->SetPreset(ROBUST); }
-  void SetPresetToPaper() { this->SetPreset(PAPER); }
-  ///@}
 
   enum FinestLevelType
   {
@@ -130,6 +115,9 @@ protected:
   explicit vtkMultiresolutionSplattingPass(std::unique_ptr<vtkIndirectSum> sum);
   ~vtkMultiresolutionSplattingPass() override;
 
+  void ApplyPreset() override;
+  vtkSmartPointer<vtkVirtualLightSampler> MakeSamplerOfPaper() const override;
+
 private:
   vtkMultiresolutionSplattingPass(const vtkMultiresolutionSplattingPass&) = delete;
   void operator=(const vtkMultiresolutionSplattingPass&) = delete;
@@ -149,7 +137,6 @@ private:
   };
   struct SettingsType
   {
-    int Preset = ROBUST;
     int FinestLevel = FULL_RESOLUTION;
     Threshold DepthThreshold = { 0.02, 1.0 };
     Threshold PlaneThreshold = { 0.25, 100.0 };

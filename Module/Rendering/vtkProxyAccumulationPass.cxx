@@ -115,6 +115,20 @@ vtkProxyAccumulationPass::vtkProxyAccumulationPass()
 }
 
 //------------------------------------------------------------------------------
+void vtkProxyAccumulationPass::ApplyPreset()
+{
+  this->Settings = SettingsType();
+  if (this->GetPreset() == PAPER)
+  {
+    this->Settings.Groups = false;
+    this->Settings.InfluenceScale = 15.0;
+    this->Settings.IndirectInfluenceScale = 4.0;
+    this->Settings.IndirectLight = AVERAGED;
+    this->Settings.ReceiverStep = 4;
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkProxyAccumulationPass::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

@@ -30,6 +30,10 @@
  * - Spheres reflect the sky's light that other spheres let through, not all of it (IndirectLight).
  * - Receivers interpolate light by direction, not irradiance: pixels use their own normal.
  *
+ * The preset PAPER (SetPreset) has the paper's choices in place of these: no groups, radii of 15
+ * and 4 within which spheres hide and send light, AVERAGED light of spheres, and a receiver for
+ * every sixteenth pixel.
+ *
  * Approximations: order 4 blurs shadows (either sign). Spheres behind each other within reach of
  * GroupAngle hide twice (too dark). Ten or more spheres around a receiver hide too little (too
  * bright). Among dense spheres groups hide too little (sky up to 4 % too bright, up to 22 % where
@@ -167,6 +171,8 @@ public:
 protected:
   vtkProxyAccumulationPass();
   ~vtkProxyAccumulationPass() override = default;
+
+  void ApplyPreset() override;
 
 private:
   vtkProxyAccumulationPass(const vtkProxyAccumulationPass&) = delete;

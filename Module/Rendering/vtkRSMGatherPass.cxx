@@ -23,6 +23,7 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
 
+#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkRSMGatherPass);
@@ -39,6 +40,9 @@ const char* const NeighborhoodFile = "vtkIndirectGatherNeighborhood.glsl";
 
 // Rows of 256 lights in one draw: long draws stall a desktop, and some drivers abort them.
 constexpr int RowsPerDraw = 16;
+// Sums along the picture's longer edge in the paper, and the largest step between sums.
+constexpr int SamplesOfPaper = 64;
+constexpr int MostStep = 32;
 // The largest error of interpolated lobes, over their light.
 constexpr double LobeTolerance = 0.05;
 
@@ -63,6 +67,7 @@ protected:
 private:
   void SetUniforms(const vtkIndirectProgram& program, const Input& input, bool neighborhood);
   bool Sum(const Input& input);
+  int FindStep(const int* size) const;
 
   const vtkRSMGatherPass& Set;
   vtkIndirectReceiverGrid Coarse{ this, CoarseChannels };
@@ -113,6 +118,26 @@ void GatherSum::SetUniforms(
     return;
   }
   input.Lights->Activate(program);
+}
+
+//------------------------------------------------------------------------------
+// The figures of the paper: 308 samples a pixel, and 64 x 64 sums in a picture of 512 x 512.
+void vtkRSMGatherPass::ApplyPreset()
+{
+  this->Settings = SettingsType();
+  if (this->GetPreset() == PAPER)
+  {
+    this->Settings.Mode = NEIGHBORHOOD;
+    this->Settings.NumberOfSamples = 308;
+    this->Settings.InterpolationStep = 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+int GatherSum::FindStep(const int* size) const
+{
+  const int step = this->Set.GetInterpolationStep();
+  return step > 0 ? step : std::clamp(std::max(size[0], size[1]) / SamplesOfPaper, 1, MostStep);
 }
 
 //------------------------------------------------------------------------------
@@ -203,11 +228,12 @@ bool GatherSum::Sum(const Input& input)
     return false;
   }
   // The pixels that cannot be interpolated are summed in one draw, which limits the number of rows.
-  const bool interpolate = this->Set.GetInterpolation() &&
+  const int wanted = this->FindStep(frame.Size);
+  const bool interpolate = this->Set.GetInterpolation() && wanted > 1 &&
     this->Set.GetMode() != vtkRSMGatherPass::ALL_TEXELS &&
     rows * vtkIndirectSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
   this->Interpolates = interpolate;
-  const int step = interpolate ? this->Set.GetInterpolationStep() : 1;
+  const int step = interpolate ? wanted : 1;
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input) || (interpolate && !this->Coarse.Resize(frame, step)))
   {

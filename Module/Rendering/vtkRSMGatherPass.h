@@ -27,6 +27,9 @@
  * Interpolation (section 5.2 of the paper): the sum is taken at every InterpolationStep-th pixel
  * and interpolated where three of the four around lie on the same surface; other pixels sum for
  * themselves.
+ *
+ * The preset PAPER (SetPreset) is the paper's method as published: NEIGHBORHOOD with 308 samples in
+ * a disk of radius 0.3, and 64 sums along the longer edge of the picture.
  */
 
 #ifndef vtkRSMGatherPass_h
@@ -80,13 +83,19 @@ public:
   ///@}
 
   ///@{
-  /** Pixels from one coarse sample to the next. Default 4, range 2 to 32. */
-  vtkIndirectClampMacro(InterpolationStep, int, 2, 32);
+  /**
+   * Pixels from one coarse sample to the next. 0: as many as leave 64 samples along the longer edge
+   * of the picture, as in the paper, at most 32; 1: every pixel is summed. Default 4, range 0
+   * to 32.
+   */
+  vtkIndirectClampMacro(InterpolationStep, int, 0, 32);
   ///@}
 
 protected:
   vtkRSMGatherPass();
   ~vtkRSMGatherPass() override = default;
+
+  void ApplyPreset() override;
 
 private:
   vtkRSMGatherPass(const vtkRSMGatherPass&) = delete;

@@ -37,16 +37,12 @@ void vtkRadianceHintsPass::PrintSelf(ostream& os, vtkIndent indent)
 }
 
 //------------------------------------------------------------------------------
-void vtkRadianceHintsPass::SetPreset(int preset)
+void vtkRadianceHintsPass::ApplyPreset()
 {
-  preset = preset == PAPER ? PAPER : ROBUST;
-  if (preset != this->Settings.Preset)
-  {
-    this->Settings.Preset = preset;
-    *this->Details = preset == PAPER ? vtkIndirectHintDetails::OfPaper() : vtkIndirectHintDetails();
-    this->SetOccupancy(preset == ROBUST);
-    this->Modified();
-  }
+  const bool paper = this->GetPreset() == PAPER;
+  this->Settings = SettingsType();
+  *this->Details = paper ? vtkIndirectHintDetails::OfPaper() : vtkIndirectHintDetails();
+  this->SetOccupancy(!paper);
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,9 @@
  * with their albedo, instead of from other hints; hints far from all surfaces are not computed if
  * all surfaces are polygons; pixels look up once.
  *
+ * The preset PAPER (SetPreset) is the method as published: NumberOfSamples texels of the maps,
+ * bounces from 32 other hints, four look-ups, no voxels (Occupancy).
+ *
  * Approximations: order 2 or 3 of spherical harmonics blurs light over directions, the grid over
  * places; surfaces thinner than a voxel of the occupancy volume are a voxel thick.
  */
@@ -37,24 +40,6 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   const char* GetMethodName() const override { return "hints"; }
-
-  enum PresetType
-  {
-    ROBUST = 0,
-    PAPER = 1
-  };
-
-  ///@{
-  /**
-   * Variants of the method: ROBUST, as above, or PAPER, as published: NumberOfSamples texels
-   * of the maps, bounces from 32 other hints, four look-ups, no Occupancy. Setting it sets
-   * Occupancy, on or off. Default ROBUST.
-   */
-  virtual void SetPreset(int preset);
-  int GetPreset() const { return this->Settings.Preset; }
-  void SetPresetToRobust() { this->SetPreset(ROBUST); }
-  void SetPresetToPaper() { this->SetPreset(PAPER); }
-  ///@}
 
   ///@{
   /** Order of the spherical harmonics. Default 2, range 2 to 3. */
@@ -123,10 +108,55 @@ public:
 
   ///@{
   /**
+   * PAPER: c_RSM of the paper, the share of each map's area, around the hint's own place in the
+   * map, that the samples are drawn from. Light from the rest is lost (bias <= 0). Default 1, range
+   * 0.001 to 1; the paper has 0.05 to 0.15 under a sun and up to 0.9 indoors.
+   */
+  vtkIndirectClampMacro(MapCoverage, double, 0.001, 1.0);
+  ///@}
+
+  ///@{
+  /**
+   * PAPER: N_b of the paper, other hints that send a hint light of later bounces. Default 32, range
+   * 1 to 1024; the paper has 16 to 32.
+   */
+  vtkIndirectClampMacro(NumberOfBounceSamples, int, 1, 1024);
+  ///@}
+
+  ///@{
+  /**
+   * PAPER: r_max of the paper over the scene's diagonal, the largest distance between hints that
+   * send each other light of later bounces. Light from beyond is lost (bias <= 0). Default 1, range
+   * 0.01 to 1.
+   */
+  vtkIndirectClampMacro(BounceRange, double, 0.01, 1.0);
+  ///@}
+
+  ///@{
+  /**
+   * Turn the four look-ups of PAPER about the normal from pixel to pixel (section 9.3 of the
+   * paper), which trades banding for noise. No effect with ROBUST, which looks up once. Default
+   * off.
+   */
+  vtkIndirectFlagMacro(LookupRotation);
+  ///@}
+
+  ///@{
+  /**
    * Section 8 of the paper: let the eye's depth hide senders from hints. Not physical; makes hints
    * depend on the camera. Default off.
    */
   vtkIndirectFlagMacro(DepthOcclusion);
+  ///@}
+
+  ///@{
+  /**
+   * DepthOcclusion: points tested on each segment from a sender to a hint, and the factor by which
+   * each hidden point multiplies the light. Default 5 and 0.6, ranges 1 to 64 and 0 to 1; the paper
+   * has 3 to 8 points and names no factor.
+   */
+  vtkIndirectClampMacro(NumberOfDepthSamples, int, 1, 64);
+  vtkIndirectClampMacro(DepthAttenuation, double, 0.0, 1.0);
   ///@}
 
   ///@{
@@ -154,6 +184,8 @@ protected:
   vtkRadianceHintsPass();
   ~vtkRadianceHintsPass() override;
 
+  void ApplyPreset() override;
+
 private:
   vtkRadianceHintsPass(const vtkRadianceHintsPass&) = delete;
   void operator=(const vtkRadianceHintsPass&) = delete;
@@ -162,14 +194,19 @@ private:
   friend struct vtkIndirectHintDetails;
   struct SettingsType
   {
-    int Preset = ROBUST;
     int Order = 2;
     int Extent = SCENE;
     int GridResolution[3] = { 0, 0, 0 };
     int NumberOfGrids = 1;
     double FineGridExtent = 0.4;
     int NumberOfSamples = 40;
+    double MapCoverage = 1.0;
+    int NumberOfBounceSamples = 32;
+    double BounceRange = 1.0;
+    bool LookupRotation = false;
     bool DepthOcclusion = false;
+    int NumberOfDepthSamples = 5;
+    double DepthAttenuation = 0.6;
     int InterpolationStep = 4;
     double TemporalSmoothing = 0.0;
   };

@@ -209,7 +209,7 @@ class ReportedSettings(unittest.TestCase):
         indirect, reported = self.render("hints", ErrorTolerance=0.1)
         self.assertEqual(indirect.GetEstimator().GetGridResolution(), (0, 0, 0))
         self.assertEqual(max(reported["GridResolution"]), 11)  # sqrt(12 / 0.1)
-        self.assertEqual(reported["NumberOfBounces"], 1)
+        self.assertEqual(reported["NumberOfBounces"], 8)
         self.assertNotIn("NumberOfLights", reported)  # no sampler is in force
         _, reported = self.render("gather", Mode="all_texels")
         self.assertFalse(reported["Interpolation"])

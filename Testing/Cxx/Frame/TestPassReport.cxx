@@ -115,7 +115,7 @@ VTK_INDIRECT_TEST(ReportGrid)
   CONTRACT_CHECK(hints->GetMTime() == before, "nothing has changed");
   view.Grab();
   CONTRACT_CHECK(hints->GetNumberOfHints() == 60, hints->GetNumberOfHints() << " hints");
-  const std::string grid = Report(pass).FindReason("modelled", "1 diffuse bounce");
+  const std::string grid = Report(pass).FindReason("modelled", "8 diffuse bounces");
   CONTRACT_CHECK(grid.find("3 x 4 x 5") != std::string::npos, grid);
 }
 
@@ -278,7 +278,8 @@ VTK_INDIRECT_TEST(ReportMemory)
     return Report(pass).GetNumber("main_memory_bytes");
   };
   const double triangles = refine(200) - refine(100);
-  // A triangle has 72 bytes of corners in the tree, 16 of numbers and half a point of 24 in the list.
+  // A triangle has 72 bytes of corners in the tree, 16 of numbers and half a point of 24 in the
+  // list.
   const double least = 2.0 * (200 * 200 - 100 * 100) * (72 + 16 + 12);
   // A node has 128 bytes and four children; a leaf has a triangle or more.
   const double most = least + 2.0 * (200 * 200 - 100 * 100) * 128 / 3;

@@ -337,8 +337,13 @@ VTK_INDIRECT_TEST(PlanLimits)
   CheckEqual("of an estimator with lights of its own", plan.WalkedBounces, 0);
   estimator.MaximumNumberOfBounces = 16;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
-  Check("one that computes several where asked says that it was not",
-    plan.NumberOfBounces == 1 && !Find(plan.EstimateLeftOut, "bounces after the first").empty());
+  CheckEqual("of an estimator that computes several itself", plan.NumberOfBounces, 8);
+  Check("what it leaves out", !Find(plan.EstimateLeftOut, "bounces after bounce 8").empty());
+  estimator.IsOfPaper = true;
+  plan = vtkIndirectPlan::Make(frame, settings, estimator, {});
+  Check("as published",
+    plan.NumberOfBounces == 1 && !Find(plan.EstimateLeftOut, "bounces after bounce 1").empty());
+  estimator.IsOfPaper = false;
   estimator.MaximumNumberOfBounces = 1;
   vtkIndirectLight following = MakeLight();
   following.FollowsCamera = true;
@@ -346,7 +351,7 @@ VTK_INDIRECT_TEST(PlanLimits)
   plan = vtkIndirectPlan::Make(MakeFrame({ following }), settings, estimator, {});
   estimator.TakesSampler = false;
   Check("of lights that follow the camera",
-    plan.WalkedBounces == 0 && !Find(plan.EstimateLeftOut, "bounces after the first").empty());
+    plan.WalkedBounces == 0 && !Find(plan.EstimateLeftOut, "bounces after bounce 1").empty());
   settings.NumberOfBounces = 3;
   estimator.MaximumNumberOfBounces = 16;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, {});

@@ -7,9 +7,12 @@
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectHintScenes.h"
 
+#include "Frame/vtkIndirectFrame.h"
+#include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkMath.h"
 #include "vtkRSMGatherPass.h"
+#include "vtkRenderer.h"
 
 #include <algorithm>
 #include <array>
@@ -22,9 +25,7 @@ using namespace vtkIndirectTest;
 namespace
 {
 constexpr int MapEdge = 32;
-constexpr int Layers = 7;         // one of a spot and six of a point light
-constexpr int Samples = 40;       // samples of all layers together, as in the preset
-constexpr int BounceSamples = 32; // as in the preset
+constexpr int Layers = 7; // one of a spot and six of a point light
 constexpr int Grid[3] = { 6, 5, 4 };
 const glm::dvec3 Extent(4.0, 3.0, 2.0); // extent of the room, which has a corner at the origin
 const glm::dvec3 Albedo(0.8, 0.5, 0.3);
@@ -89,10 +90,37 @@ struct Field
   }
 };
 
+// Radiance times solid angle of a texel, `weight` times. A texel of area A is seen from the height
+// sqrt(h^2 + A / 2 pi), see radiance-hints.md; without `patches` from its real height, as in the
+// paper.
+void AddTexel(
+  Field& field, const VirtualLight& texel, const glm::dvec3& from, double weight, bool patches)
+{
+  const glm::dvec3 offset = texel.Position - from;
+  const double height = -glm::dot(texel.Normal, offset);
+  if (height > 0.0)
+  {
+    const double back = patches ? std::sqrt(height * height + texel.Area / (2.0 * Pi)) : height;
+    const glm::dvec3 seen = offset - (back - height) * texel.Normal;
+    const double r = glm::length(seen);
+    field.Add(texel.DensityArea * (weight * back / (r * r * r)), seen / r);
+  }
+}
+
 struct PaperRoom : HintScene
 {
   std::vector<VirtualLight> Texels; // texels of all maps, by layer, row and column
   const double Diagonal = glm::length(Extent);
+  int Samples = 40; // of all layers together, as in the preset
+  int BounceSamples = 32;
+  double Range = Diagonal; // r_max, the unit of stored distances
+  bool Rotation = false;   // of the look-ups
+  // Section 8: points on a segment, the factor for a hidden one, and the eye.
+  int DepthSamples = 0;
+  double DepthAttenuation = 0.6;
+  Image Depth;
+  glm::dmat4 WorldToView;
+  glm::dmat4 ViewToClip;
 
   PaperRoom()
     : HintScene(40, 30)
@@ -119,13 +147,43 @@ struct PaperRoom : HintScene
       0.5 * Extent;
   }
 
-  // Eq. 1 to 4: the mean over each map's samples of radiance times solid angle, from a position in
-  // the hint's cell. A texel of area A is seen from the height sqrt(h^2 + A / 2 pi), see
-  // radiance-hints.md; without `patches` from its real height, as in the paper.
+  // Makes the eye's depth hide senders, by the settings of the pass.
+  void FollowDepth()
+  {
+    vtkCamera* camera = this->Renderer->GetActiveCamera();
+    this->Depth = this->Copy("depth");
+    this->WorldToView = vtkIndirectFrame::ToGLM(camera->GetModelViewTransformMatrix());
+    this->ViewToClip = vtkIndirectFrame::ToGLM(
+      camera->GetProjectionTransformMatrix(this->Renderer->GetTiledAspectRatio(), -1, 1));
+    this->DepthSamples = this->Hints->GetNumberOfDepthSamples();
+    this->DepthAttenuation = this->Hints->GetDepthAttenuation();
+  }
+
+  // Section 8: a factor for each point of the segment that lies behind what the eye sees there.
+  double FindShare(const glm::dvec3& a, const glm::dvec3& b) const
+  {
+    double share = 1.0;
+    for (int i = 0; i < this->DepthSamples; ++i)
+    {
+      const glm::dvec4 view =
+        this->WorldToView * glm::dvec4(glm::mix(a, b, (i + 0.5) / this->DepthSamples), 1.0);
+      const glm::dvec4 clip = this->ViewToClip * view;
+      const glm::dvec2 at = 0.5 * glm::dvec2(clip) / clip.w + 0.5;
+      if (clip.w > 0.0 && std::min(at.x, at.y) >= 0.0 && std::max(at.x, at.y) < 1.0)
+      {
+        const double depth = this->Depth.At(static_cast<int>(at.x * this->Depth.Width),
+          static_cast<int>(at.y * this->Depth.Height))[0];
+        share *= depth > 0.0 && -view.z > depth ? this->DepthAttenuation : 1.0;
+      }
+    }
+    return share;
+  }
+
+  // Eq. 1 to 4: the mean over each map's samples, from a position in the hint's cell.
   Field Inject(const vtkIndirectHintSum::Hint& hint, int number, bool patches) const
   {
     Field field;
-    const int count = (Samples + Layers - 1) / Layers;
+    const int count = (this->Samples + Layers - 1) / Layers;
     for (int layer = 0; layer < Layers; ++layer)
     {
       const auto seed = static_cast<std::uint32_t>(16 * number + layer);
@@ -136,19 +194,12 @@ struct PaperRoom : HintScene
         const int x = static_cast<int>(random.x * MapEdge);
         const int y = static_cast<int>(random.y * MapEdge);
         const VirtualLight& texel = this->Texels[(layer * MapEdge + y) * MapEdge + x];
-        const glm::dvec3 offset =
-          texel.Position - (this->GetPlace(hint) + (jitter - 0.5) * GetCell());
-        field.Nearest = std::min(field.Nearest, glm::length(offset) / this->Diagonal);
-        field.Farthest = std::max(field.Farthest, glm::length(offset) / this->Diagonal);
-        const double height = -glm::dot(texel.Normal, offset);
-        if (height <= 0.0)
-        {
-          continue;
-        }
-        const double back = patches ? std::sqrt(height * height + texel.Area / (2.0 * Pi)) : height;
-        const glm::dvec3 seen = offset - (back - height) * texel.Normal;
-        const double r = glm::length(seen);
-        field.Add(texel.DensityArea * (back / (r * r * r) * MapEdge * MapEdge / count), seen / r);
+        const glm::dvec3 from = this->GetPlace(hint) + (jitter - 0.5) * GetCell();
+        const glm::dvec3 offset = texel.Position - from;
+        field.Nearest = std::min(field.Nearest, glm::length(offset) / this->Range);
+        field.Farthest = std::max(field.Farthest, glm::length(offset) / this->Range);
+        AddTexel(field, texel, from,
+          this->FindShare(from, texel.Position) * MapEdge * MapEdge / count, patches);
       }
     }
     field.Nearest = std::min(field.Nearest, 1.0);
@@ -164,13 +215,13 @@ struct PaperRoom : HintScene
   {
     const glm::ivec3 size(Grid[0], Grid[1], Grid[2]);
     const glm::dvec3 middle(number % size.x, number / size.x % size.y, number / (size.x * size.y));
-    const glm::dvec3 reach = this->Diagonal / GetCell();
+    const glm::dvec3 reach = this->Range / GetCell();
     const glm::dvec3 lower = glm::max(middle - reach, glm::dvec3(-0.5));
     const glm::dvec3 upper = glm::min(middle + reach, glm::dvec3(size) - 0.5);
     Field sum;
     double weights = 0.0;
     int found = 0;
-    for (int i = 0; i < 8 * BounceSamples && found < BounceSamples; ++i)
+    for (int i = 0; i < 8 * this->BounceSamples && found < this->BounceSamples; ++i)
     {
       const glm::dvec3 at =
         lower + (upper - lower) * Spread(i, static_cast<std::uint32_t>(number)) + 0.5;
@@ -179,8 +230,8 @@ struct PaperRoom : HintScene
       const glm::ivec3 other = glm::clamp(glm::ivec3(at), glm::ivec3(0), size - 1);
       const int j = other.x + size.x * (other.y + size.y * other.z);
       const glm::dvec3 toward = (this->GetPlace(hints[j]) - this->GetPlace(hints[number]));
-      const double r = glm::length(toward) / this->Diagonal;
-      if (!(r > 0.0))
+      const double r = glm::length(toward) / this->Range;
+      if (!(r > 0.0 && r <= 1.0))
       {
         continue;
       }
@@ -212,12 +263,14 @@ struct PaperRoom : HintScene
       std::abs(at.Normal.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 tangent = glm::normalize(glm::cross(helper, at.Normal));
     const glm::dvec3 bitangent = glm::cross(at.Normal, tangent);
+    const double start =
+      this->Rotation ? 2.0 * Pi * Spread(0, static_cast<std::uint32_t>(at.X * 4099 + at.Y)).x : 0.0;
     Field sum;
     double total = 0.0;
     for (int lookup = 0; lookup < 4; ++lookup)
     {
       const double polar = lookup == 0 ? 0.0 : 80.0 * Pi / 180.0;
-      const double turn = 2.0 * Pi * lookup / 3.0;
+      const double turn = start + 2.0 * Pi * lookup / 3.0;
       const glm::dvec3 place = at.Position +
         radius *
           (0.5 * at.Normal + std::cos(polar) * at.Normal +
@@ -338,5 +391,156 @@ VTK_INDIRECT_TEST(HintsPaperEquations)
       CheckAtMost(which + "worst pixel, difference over its irradiance", worst, 1e-5,
         "four times eight terms in floats");
     }
+  }
+}
+
+VTK_INDIRECT_TEST(HintsPaperOptions)
+{
+  // The paper's own ranges of its parameters, and its rotated look-ups, against the same equations.
+  PaperRoom scene;
+  scene.Samples = 70;
+  scene.BounceSamples = 16;
+  scene.Range = 0.4 * scene.Diagonal;
+  scene.Rotation = true;
+  scene.Hints->SetNumberOfSamples(scene.Samples);
+  scene.Hints->SetNumberOfBounceSamples(scene.BounceSamples);
+  scene.Hints->SetBounceRange(0.4);
+  scene.Hints->LookupRotationOn();
+  std::vector<Field> fields;
+  for (int bounces : { 1, 2 })
+  {
+    scene.Pass->SetNumberOfBounces(bounces);
+    scene.Render();
+    const std::vector<vtkIndirectHintSum::Hint> hints =
+      static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
+    const std::vector<Field> before = fields;
+    fields.clear();
+    std::vector<double> differences;
+    for (size_t i = 0; i < hints.size(); ++i)
+    {
+      const int number = static_cast<int>(i);
+      bool unclear = false;
+      fields.push_back(bounces == 1 ? scene.Inject(hints[i], number, true)
+                                    : scene.Exchange(hints, before, before, number, 2, unclear));
+      if (!unclear)
+      {
+        differences.push_back(FindDifference(hints[i], fields[i], 2));
+      }
+    }
+    const std::string which = std::to_string(bounces) + " bounces: ";
+    CheckAtMost(which + "worst field, difference over its size", Percentile(differences, 1.0), 1e-5,
+      "as in HintsPaperEquations");
+  }
+  const Image image = scene.Copy("irradiance");
+  const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+  double worst = 0.0;
+  double turned = 0.0;
+  for (size_t i = 0; i < receivers.size(); ++i)
+  {
+    const glm::dvec3 shown(image.Values[3 * i], image.Values[3 * i + 1], image.Values[3 * i + 2]);
+    scene.Rotation = true;
+    const glm::dvec3 expected = scene.LookUp(fields, receivers[i], 2);
+    worst = std::max(worst, glm::length(shown - expected) / glm::length(expected));
+    scene.Rotation = false;
+    const glm::dvec3 still = scene.LookUp(fields, receivers[i], 2);
+    turned = std::max(turned, glm::length(still - expected) / glm::length(expected));
+  }
+  CheckAtMost(
+    "worst pixel, difference over its irradiance", worst, 1e-5, "as in HintsPaperEquations");
+  CheckAtLeast("the rotation, the same", turned, 1e-3, "the test's own power");
+}
+
+VTK_INDIRECT_TEST(HintsPaperDepth)
+{
+  // Section 8 with the values that a user gets: a screen in the room hides senders from hints.
+  PaperRoom scene;
+  scene.AddQuad({ 1.6, 0.9, 0.0 }, { 2.4, 1.5, 0.0 }, { 1.6, 0.9, 1.2 }, Albedo);
+  scene.Pass->SetEstimator(scene.Gather);
+  scene.Render();
+  scene.Texels = scene.CopyLights();
+  scene.Pass->SetEstimator(scene.Hints);
+  scene.Pass->SetNumberOfBounces(1);
+  scene.Hints->DepthOcclusionOn();
+  scene.Render();
+  const std::vector<vtkIndirectHintSum::Hint> hints =
+    static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
+  std::vector<double> differences;
+  std::vector<double> effect;
+  for (size_t i = 0; i < hints.size(); ++i)
+  {
+    scene.DepthSamples = 0;
+    effect.push_back(
+      FindDifference(hints[i], scene.Inject(hints[i], static_cast<int>(i), true), 2));
+    scene.FollowDepth();
+    differences.push_back(
+      FindDifference(hints[i], scene.Inject(hints[i], static_cast<int>(i), true), 2));
+  }
+  CheckAtMost("nine of ten fields, difference over their size", Percentile(differences, 0.9), 1e-5,
+    "as in HintsPaperEquations; rounding decides whether points at a silhouette are hidden");
+  CheckAtLeast("the effect on the median field, the same", Percentile(effect, 0.5), 0.02,
+    "the test's own power");
+}
+
+VTK_INDIRECT_TEST(HintsPaperCoverage)
+{
+  // c_RSM: samples come from a square of that share of the map about the hint's own place in it.
+  // Under a parallel light places in the map are linear in places of the floor.
+  constexpr int edgeOfMap = 64;
+  constexpr int count = 256;
+  HintScene scene(40, 30);
+  scene.AddQuad({ -2, -2, 0 }, { 2, -2, 0 }, { -2, 2, 0 }, glm::dvec3(0.8));
+  scene.AddQuad({ -2, 2, 0 }, { 2, 2, 0 }, { -2, 2, 1 }, glm::dvec3(0.8));
+  scene.AddDirectional({ 0, 0, -1 });
+  scene.SetEye({ 0, -3, 3 }, { 0, 0, 0 }, { 0, 0, 1 }, 60.0, 0.05, 20.0);
+  scene.Pass->SetReflectiveShadowMapResolution(edgeOfMap);
+  scene.Pass->SetEstimator(scene.Gather);
+  scene.Gather->SetModeToAllTexels();
+  scene.Render();
+  const std::vector<VirtualLight> texels = scene.CopyLights();
+  CheckEqual("texels", texels.size(), edgeOfMap * edgeOfMap);
+  auto at = [&](int x, int y) { return glm::dvec2(texels[y * edgeOfMap + x].Position); };
+  const glm::dvec2 first = at(8, 8);
+  const glm::dmat2 toTexels =
+    glm::inverse(glm::dmat2((at(56, 8) - first) / 48.0, (at(8, 56) - first) / 48.0));
+  scene.Pass->SetEstimator(scene.Hints);
+  scene.Hints->SetPresetToPaper();
+  scene.Hints->SetGridResolution(3, 3, 2);
+  scene.Hints->SetNumberOfSamples(count);
+  const glm::dvec3 extent(4.0, 4.0, 1.0);
+  const glm::dvec3 cell = extent / glm::dvec3(3.0, 3.0, 2.0);
+  for (double coverage : { 0.1, 0.4, 1.0 })
+  {
+    scene.Hints->SetMapCoverage(coverage);
+    scene.Render();
+    const std::vector<vtkIndirectHintSum::Hint> hints =
+      static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
+    CheckEqual("hints", hints.size(), 18);
+    double worst = 0.0;
+    for (size_t i = 0; i < hints.size(); ++i)
+    {
+      const glm::dvec3 place =
+        glm::dvec3(hints[i].Position[0], hints[i].Position[1], hints[i].Position[2]) *
+          glm::length(extent) +
+        glm::dvec3(0.0, 0.0, 0.5);
+      const glm::dvec2 own = (toTexels * (glm::dvec2(place) - first) + 8.5) / double(edgeOfMap);
+      const double edge = std::sqrt(coverage);
+      const glm::dvec2 corner =
+        glm::clamp(own - 0.5 * edge, glm::dvec2(0.0), glm::dvec2(1.0 - edge));
+      const auto seed = static_cast<std::uint32_t>(16 * i);
+      Field field;
+      for (int sample = 0; sample < count; ++sample)
+      {
+        const glm::dvec2 random(Spread(sample, seed));
+        const glm::dvec2 texel =
+          glm::min((corner + edge * random) * double(edgeOfMap), glm::dvec2(edgeOfMap - 1.0));
+        const glm::dvec3 from = place + (Spread(sample, seed + 77777777u) - 0.5) * cell;
+        AddTexel(field, texels[static_cast<int>(texel.y) * edgeOfMap + static_cast<int>(texel.x)],
+          from, edgeOfMap * edgeOfMap * coverage / count, true);
+      }
+      worst = std::max(worst, FindDifference(hints[i], field, 2));
+    }
+    // A texel on the square's border may be its neighbour by rounding.
+    CheckAtMost("coverage " + std::to_string(coverage) + ": worst field, difference over its size",
+      worst, 0.02, "one of 256 texels, of four times the mean's light, may be its neighbour");
   }
 }

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import dataclasses
 import json
 import os
 import re
@@ -90,12 +91,22 @@ def _add_scene_arguments(parser: argparse.ArgumentParser, lit: bool = True) -> N
     parser.add_argument(
         "scene", metavar="SCENE_OR_DATA", help="a scene file (.json) or a data file that VTK reads"
     )
-    parser.add_argument("--method", default="auto", metavar="NAME", help=f"{known} (default: auto)")
+    parser.add_argument(
+        "--method",
+        default="auto",
+        metavar="NAME",
+        help=f"{known} (default: auto, which is the scene file's method where it names one)",
+    )
     parser.add_argument(
         "--sampler",
         metavar="NAME",
         help="how virtual lights are chosen: "
         f"{', '.join(methods.SAMPLERS)} (default: the method's own)",
+    )
+    parser.add_argument(
+        "--preset",
+        metavar="NAME",
+        help="robust (default), or paper: the method and its lights as published",
     )
     if lit:
         _add_lighting_argument(parser)
@@ -253,6 +264,10 @@ def _job(arguments: argparse.Namespace, count: int = 1) -> Job:
     if arguments.sampler is not None:
         methods.check_sampler(arguments.sampler)
     values = settings.parse(arguments.assignments)
+    if arguments.preset is not None:
+        if any(methods.is_preset(name) for name in values):
+            raise UsageError("preset is given twice")
+        values[methods.PRESET] = arguments.preset
     light = arguments.lighting
     for name in [name for name in values if lighting.is_property(name)]:
         if light is not None:
@@ -264,6 +279,14 @@ def _job(arguments: argparse.Namespace, count: int = 1) -> Job:
         name = next(iter(values), "sampler" if arguments.sampler else "lighting")
         raise UsageError(f"method 'off' has no property '{name}'")
     return Job(arguments.method, arguments.sampler, values, count, lighting=light)
+
+
+def _of_scene(job: Job, scene: Scene) -> Job:
+    """Return a job with the scene file's method, where the command line names none."""
+    method, sampler, values = methods.as_the_scene_has_it(
+        scene.rendering, job.method, job.sampler, job.settings
+    )
+    return dataclasses.replace(job, method=method, sampler=sampler, settings=values)
 
 
 def _picture(scene: Scene, buffer: str, job: Job, linear: bool) -> np.ndarray:
@@ -301,6 +324,7 @@ def _render(arguments: argparse.Namespace) -> None:
     _check_places(written, arguments.scene)
 
     scene = _load(arguments.scene)
+    job = _of_scene(job, scene)
     window = frames.open_window(scene, arguments.size)
     with Progress(f"rendering {scene.name}", job.all_frames) as bar:
         report = frames.render(scene, window, job, bar.step)
@@ -331,7 +355,8 @@ def _view(arguments: argparse.Namespace) -> None:
         windows.render_window(offscreen=False)  # raises and says why
     from vtkindirect import viewer
 
-    viewer.view(_load(arguments.scene), job, arguments.size)
+    scene = _load(arguments.scene)
+    viewer.view(scene, _of_scene(job, scene), arguments.size)
 
 
 def _furnace(arguments: argparse.Namespace) -> None:
@@ -344,6 +369,7 @@ def _furnace(arguments: argparse.Namespace) -> None:
     if output is not None:
         _check_places([output], arguments.scene)
     scene = _load(arguments.scene)
+    job = _of_scene(job, scene)
     window = frames.open_window(scene, arguments.size)
     with Progress(f"furnace of {scene.name}", job.all_frames) as bar:
         found = furnace.measure(scene, window, job, bar.step)

@@ -95,6 +95,15 @@ def check_sampler(name: str) -> str:
     return SAMPLERS[name]
 
 
+PRESET = "Preset"
+"""The property of every estimator that makes it the method as published."""
+
+
+def is_preset(name: str) -> bool:
+    """Return whether a setting's name is that of the estimators' preset."""
+    return properties.camel(name).lower() == PRESET.lower()
+
+
 # The passes that are on ------------------------------------------------------------------------
 
 
@@ -261,11 +270,19 @@ def _configure(
     """
     indirect = record.indirect
     before = indirect.GetEstimator(), indirect.GetSampler()
+    estimator = indirect.GetActiveEstimator()
+    preset = estimator.GetPreset()
     changed = record.method != method.name
     try:
         if changed:
             indirect.SetEstimator(wrapped.get(method.estimator)() if method.estimator else None)
             indirect.SetSampler(wrapped.get(method.sampler)() if method.sampler else None)
+        presets = {name: value for name, value in settings.items() if is_preset(name)}
+        if presets:
+            properties.apply([indirect.GetActiveEstimator()], presets)
+            if method.sampler is not None:
+                own = indirect.GetActiveEstimator().GetSamplerOfPreset()
+                indirect.SetSampler(own or wrapped.get(method.sampler)())
         if sampler is not None:
             indirect.SetSampler(wrapped.get(check_sampler(sampler))())
         targets = parts(indirect)
@@ -278,6 +295,9 @@ def _configure(
     except UsageError:
         indirect.SetEstimator(before[0])
         indirect.SetSampler(before[1])
+        if estimator.GetPreset() != preset:
+            estimator.SetPreset(preset)
+            properties.apply_where_possible([estimator], record.settings)
         raise
     record.method, record.configured = method.name, tuple(targets)
     record.settings.update(asked)
@@ -313,6 +333,19 @@ KEEP: Any = _Keep()
 environment and the lighting "auto"."""
 
 
+def as_the_scene_has_it(
+    rendering: dict[str, Any], method: str, sampler: str | None, settings: dict[str, Any]
+) -> tuple[str, str | None, dict[str, Any]]:
+    """Return method, sampler and settings, where no method is named those of a scene file.
+
+    Settings that are named hold beside the file's.
+    """
+    if method != "auto" or not rendering:
+        return method, sampler, settings
+    settings = {**rendering["settings"], **settings}
+    return rendering["method"], sampler or rendering.get("sampler"), settings
+
+
 def enable(
     target: Any,
     method: str = "auto",
@@ -330,13 +363,16 @@ def enable(
 
     `settings` are properties of the estimator, the sampler or the pass, in that order, by their
     VTK name or in lower case: ``NumberOfLights=256`` or ``number_of_lights=256``. Enumerated values
-    are names: ``mode="all_texels"``. A value that is out of range is an error.
+    are names: ``mode="all_texels"``. A value that is out of range is an error. ``preset="paper"`` is
+    the method as published, with the paper's sampler unless `sampler` names one; other settings of
+    the same call hold beside it.
 
     With the method "auto" these are the estimator and sampler that the pass has chosen.
 
     `environment` is the light of the sky: a vtkEnvironmentLight, the path of an equirectangular
     image, a radiance of three numbers, or None for none. Left out, it is that of the scene file
-    from which the renderer was loaded.
+    from which the renderer was loaded. A `Scene` whose file names a method has that method where the
+    call says "auto".
 
     `lighting` is one of "auto", "scene" (the renderer's lights as they are), "soft", "full",
     "gentle" and "studio". "auto", which a new pass gets, is "full" where nobody has placed lights
@@ -352,6 +388,9 @@ def enable(
     works on the picture with indirect light. Others, such as vtkSSAOPass and VTK's shadows, have no
     effect meanwhile, which a warning says. With PyVista it is the same when they come later.
     """
+    rendering = getattr(target, "rendering", None)
+    if isinstance(rendering, dict):
+        method, sampler, settings = as_the_scene_has_it(rendering, method, sampler, settings)
     row = check_method(method)
     if row.name == "off":
         given = [*settings, *(["environment"] if environment is not KEEP else [])]

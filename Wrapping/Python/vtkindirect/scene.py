@@ -59,7 +59,9 @@ class Scene:
 
     Attributes: `name`; `path` of the file; `size` in pixels (width, height); `renderer`; `actors`,
     the vtkActors by name (an actor without one is called "actor 0" by its place); `notes`, one line
-    for each thing that was decided for the user. `render_window` is None until `make_window`.
+    for each thing that was decided for the user; `rendering`, the file's "method", "sampler" and
+    "settings", which `enable` takes where a call names no method. `render_window` is None until
+    `make_window`.
     """
 
     def __init__(self, name: str, path: Path, size: tuple[int, int]) -> None:
@@ -70,6 +72,7 @@ class Scene:
         self.renderer.AutomaticLightCreationOff()
         self.actors: dict[str, vtkActor] = {}
         self.notes: list[str] = []
+        self.rendering: dict[str, Any] = {}
         self.render_window: vtkRenderWindow | None = None
         self._outline: tuple[np.ndarray, np.ndarray, str] | None = None
         self._placed = 0  # when the camera was, for data files
@@ -175,6 +178,7 @@ def _from_document(path: Path, progress: Callable[[int, str], None]) -> Scene:
     values = check(document.read(path))
     scene = Scene(values.get("name", path.stem), path, tuple(map(int, values["size"])))
     scene.renderer.SetBackground(values["background"])
+    scene.rendering = values.get("rendering", {})
     for index, light in enumerate(values["lights"]):
         lights.add(scene.renderer, light, f"lights[{index}]", path.parent)
     known: dict[Path, vtkDataSet] = {}

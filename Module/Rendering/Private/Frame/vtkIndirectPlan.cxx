@@ -12,6 +12,8 @@ namespace
 // The last bounce of a random walk if NumberOfBounces is automatic: in a closed room of albedo 0.97
 // later bounces would add a fiftieth of all light.
 constexpr int MostBounces = 128;
+// Bounces of an estimator that computes them itself: an albedo of a half leaves 0.4 % beyond.
+constexpr int AutomaticBounces = 8;
 constexpr int MostMapTexels = 2048;
 // RMS error over the mean of the sky's light under spheres: 0.041 to 0.056 on scenes of spheres
 // (Documentation/methods/sphere-proxies.md).
@@ -191,21 +193,19 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
     // them. A walk for every view would take most of a frame.
     const bool follows = std::any_of(frame.Lights.begin(), frame.Lights.end(),
       [](const vtkIndirectLight& light) { return light.FollowsCamera && !light.Fill; });
-    this->SampledBounces =
-      walks && estimator.TakesSampler && estimator.MaximumNumberOfBounces == 1 && !follows
-      ? MostBounces
-      : 1;
-    if (walks && follows)
+    const bool one = follows || estimator.IsOfPaper;
+    const bool itself = estimator.MaximumNumberOfBounces > 1;
+    this->NumberOfBounces = itself && !one ? AutomaticBounces : 1;
+    this->SampledBounces = walks && estimator.TakesSampler && !itself && !one ? MostBounces : 1;
+    if (sent && (itself || (walks && one)))
     {
-      this->EstimateLeftOut.emplace_back("bounces after the first",
-        "lights follow the camera, and NumberOfBounces is automatic; the result is too dark");
-    }
-    if (sent && estimator.MaximumNumberOfBounces > 1)
-    {
-      this->EstimateLeftOut.emplace_back("bounces after the first",
-        "NumberOfBounces is automatic, which is one for " + estimator.Name +
-          "; it computes up to " + std::to_string(estimator.MaximumNumberOfBounces) +
-          " where asked; the result is too dark");
+      const std::string last = std::to_string(this->NumberOfBounces);
+      this->EstimateLeftOut.emplace_back("bounces after bounce " + last,
+        "NumberOfBounces is automatic, which is " + last +
+          (follows                  ? std::string(" where lights follow the camera")
+              : estimator.IsOfPaper ? std::string(" with the preset PAPER")
+                                    : " with " + estimator.Name) +
+          "; the result is too dark");
     }
   }
   if (this->SampledBounces > estimator.MaximumNumberOfBounces && walks &&

@@ -25,6 +25,8 @@ struct vtkIndirectAbilities
   bool SpecularTransport = true;
   bool TakesLightMaps = false; // can look visibility up in a map of each virtual light
   int AutomaticVisibility = vtkIndirectVisibilityNone; // where the user lets the estimator choose
+  /** The preset PAPER: automatic bounces are one. */
+  bool IsOfPaper = false;
   /** Sums the texels of lights' maps, if there are maps, and no virtual lights beside them. */
   bool ReadsMaps = false;
   /** Sums the sky, and the light that surfaces reflect of it, itself, and no lights. */

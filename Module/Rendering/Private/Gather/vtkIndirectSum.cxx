@@ -85,7 +85,10 @@ vtkIndirectEstimate vtkIndirectSum::MakeEstimate(const Input& input)
 //------------------------------------------------------------------------------
 void vtkIndirectSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
-  list.Add("SpecularTransport", this->Pass.GetSpecularTransport())
+  using Choice = vtkIndirectSettingList::Choice;
+  const bool paper = this->Pass.GetPreset() == vtkIndirectEstimatorPass::PAPER;
+  list.Add("Preset", Choice{ paper ? "Paper" : "Robust" })
+    .Add("SpecularTransport", this->Pass.GetSpecularTransport())
     .Add("Occupancy",
       plan ? plan->Visibility == vtkIndirectVisibilityVoxels : this->Pass.GetOccupancy())
     .Add("OccupancyResolution", this->Pass.GetOccupancyResolution());
@@ -98,6 +101,7 @@ vtkIndirectAbilities vtkIndirectSum::GetAbilities(double) const
   abilities.Name = this->Pass.GetClassName();
   abilities.TakesSampler = true;
   abilities.SpecularTransport = this->Pass.GetSpecularTransport();
+  abilities.IsOfPaper = this->Pass.GetPreset() == vtkIndirectEstimatorPass::PAPER;
   return abilities;
 }
 

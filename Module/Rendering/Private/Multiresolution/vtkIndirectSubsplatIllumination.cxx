@@ -118,6 +118,7 @@ void vtkIndirectSubsplatIllumination::SetUniforms(
     "vtkiSamePlane", static_cast<float>(settings.DepthRange ? any : settings.PlaneThreshold));
   program->SetUniformf(
     "vtkiSameNormal", static_cast<float>(settings.DepthRange ? any : settings.NormalThreshold));
+  program->SetUniformi("vtkiContinuesSlopes", settings.DepthRange ? 0 : 1);
 }
 
 //------------------------------------------------------------------------------

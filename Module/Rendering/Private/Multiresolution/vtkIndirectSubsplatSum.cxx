@@ -54,8 +54,6 @@ void vtkIndirectSubsplatSum::AddSettings(
   const double tolerance = plan ? plan->EstimatorErrorTolerance : 0.0;
   this->vtkIndirectSum::AddSettings(list, plan);
   list
-    .Add(
-      "Preset", Choice{ set.Preset == vtkMultiresolutionSplattingPass::PAPER ? "Paper" : "Robust" })
     .Add("FinestLevel",
       Choice{ set.FinestLevel == vtkMultiresolutionSplattingPass::FULL_RESOLUTION
           ? "FullResolution"
@@ -73,9 +71,7 @@ vtkIndirectAbilities vtkIndirectSubsplatSum::GetAbilities(double tolerance) cons
   abilities.ComputesGlossy = true;
   abilities.SumsLobes = true;
   abilities.TakesLightMaps = true;
-  abilities.AutomaticVisibility = this->Set.GetPreset() == vtkMultiresolutionSplattingPass::PAPER
-    ? vtkIndirectVisibilityNone
-    : vtkIndirectVisibilityMaps;
+  abilities.AutomaticVisibility = vtkIndirectVisibilityMaps;
   abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
   return abilities;
 }

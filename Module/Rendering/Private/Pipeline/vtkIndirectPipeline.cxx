@@ -95,6 +95,10 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   {
     abilities.AutomaticVisibility = vtkIndirectVisibilityVoxels;
   }
+  else if (abilities.IsOfPaper)
+  {
+    abilities.AutomaticVisibility = vtkIndirectVisibilityNone;
+  }
   circumstances.SamplerWalks =
     abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();

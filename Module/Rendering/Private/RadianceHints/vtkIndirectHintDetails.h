@@ -15,9 +15,6 @@ struct vtkIndirectHintDetails
   // hint.
   bool Dense = true;
   int BlocksPerEdge = 24; // dense: along an edge of a map's face
-  // Sampled: share of a map's area, around the hint's own place in it, for the samples. Light from
-  // outside is lost.
-  double Coverage = 1.0;
   // Makes a sender at least as large as a share of the hint's cell, whose inside one hint does not
   // resolve, by moving the hint back from the sender's plane.
   bool Softening = true;
@@ -34,18 +31,10 @@ struct vtkIndirectHintDetails
   // Later bounces come from other hints, at random (Eq. 8 to 11); else from surfaces that the
   // hint's rays meet.
   bool FromHints = false;
-  int NumberOfRays = 400;         // at least; an even square number
-  int NumberOfBounceSamples = 32; // FromHints: other hints
-  // FromHints: largest distance of a bounce over the scene's diagonal, the unit of stored
-  // distances.
-  double BounceRange = 1.0;
+  int NumberOfRays = 400; // at least; an even square number
   // 1: half a cell above the surface; or 4, the paper's: one above and three at 80 degrees on a
   // hemisphere as wide as a cell's diagonal.
   int NumberOfLookups = 1;
-  bool LookupRotation = false; // the four turn from pixel to pixel, which adds noise
-  // Section 8, DepthOcclusion: tested points on each segment, and the share left by a hidden one.
-  int NumberOfDepthSamples = 5;
-  double DepthAttenuation = 0.6;
 
   /** The details of a pass; tests change them one by one. */
   static vtkIndirectHintDetails& Of(const vtkRadianceHintsPass* pass) { return *pass->Details; }

@@ -165,13 +165,12 @@ bool vtkIndirectHintFields::Inject(
         program->SetUniformi("vtkiLayerCount", layers);
         program->SetUniformi(
           "vtkiSampleCount", std::max(1, (settings.NumberOfSamples + layers - 1) / layers));
-        program->SetUniformf("vtkiCoverage", static_cast<float>(settings.Coverage));
+        program->SetUniformf("vtkiCoverage", static_cast<float>(settings.MapCoverage));
       }
       program->SetUniformf("vtkiRange", static_cast<float>(settings.BounceRange));
       program->SetUniformf(
         "vtkiSoftening", settings.Softening ? static_cast<float>(SofteningShare) : 0.0f);
-      program->SetUniformi(
-        "vtkiDepthSamples", settings.DepthOcclusion ? settings.NumberOfDepthSamples : 0);
+      program->SetUniformi("vtkiDepthSamples", settings.NumberOfDepthSamples);
       program->SetUniformf("vtkiDepthFactor", static_cast<float>(settings.DepthAttenuation));
       input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
       const glm::dmat4 sceneToView = glm::inverse(frame.ViewToScene);

@@ -22,9 +22,14 @@ public:
   {
     int Layout = 0; // VTKI_HINT_LAYOUT
     int Bounces = 1;
-    int NumberOfSamples = 40;
     bool Visibility = false; // the grid has masks and rays
-    bool DepthOcclusion = false;
+    int NumberOfSamples = 40;
+    double MapCoverage = 1.0;
+    int NumberOfBounceSamples = 32;
+    double BounceRange = 1.0; // over the scene's diagonal; the unit of stored distances
+    bool LookupRotation = false;
+    int NumberOfDepthSamples = 0; // 0: the eye's depth hides nothing
+    double DepthAttenuation = 0.6;
   };
 
   explicit vtkIndirectHintFields(vtkIndirectResource* owner);

@@ -56,14 +56,19 @@ void vtkIndirectHintSum::AddSettings(
     hints = { size.x, size.y, size.z };
   }
   this->vtkIndirectSum::AddSettings(list, plan);
-  list.Add("Preset", Choice{ set.Preset == vtkRadianceHintsPass::PAPER ? "Paper" : "Robust" })
-    .Add("Order", set.Order)
+  list.Add("Order", set.Order)
     .Add("Extent", Choice{ set.Extent == vtkRadianceHintsPass::SCENE ? "Scene" : "View" })
     .Add("GridResolution", hints)
     .Add("NumberOfGrids", set.NumberOfGrids)
     .Add("FineGridExtent", set.FineGridExtent)
     .Add("NumberOfSamples", set.NumberOfSamples)
+    .Add("MapCoverage", set.MapCoverage)
+    .Add("NumberOfBounceSamples", set.NumberOfBounceSamples)
+    .Add("BounceRange", set.BounceRange)
+    .Add("LookupRotation", set.LookupRotation)
     .Add("DepthOcclusion", set.DepthOcclusion)
+    .Add("NumberOfDepthSamples", set.NumberOfDepthSamples)
+    .Add("DepthAttenuation", set.DepthAttenuation)
     .Add("InterpolationStep", set.InterpolationStep)
     .Add("TemporalSmoothing", set.TemporalSmoothing);
 }
@@ -210,15 +215,21 @@ bool vtkIndirectHintSum::UpdateLight(const Input& input, bool anew)
   static_cast<vtkIndirectHintDetails&>(settings) = *this->Set.Details;
   settings.Layout = this->Set.Settings.Order == 2 ? 0 : (this->Set.Details->LumaChroma ? 1 : 2);
   settings.Bounces = input.Plan.NumberOfBounces;
-  settings.NumberOfSamples = this->Set.Settings.NumberOfSamples;
   settings.Visibility = input.Visibility.HidesSenders();
-  settings.DepthOcclusion = this->Set.Settings.DepthOcclusion;
+  settings.NumberOfSamples = this->Set.Settings.NumberOfSamples;
+  settings.MapCoverage = this->Set.Settings.MapCoverage;
+  settings.NumberOfBounceSamples = this->Set.Settings.NumberOfBounceSamples;
+  settings.BounceRange = this->Set.Settings.BounceRange;
+  settings.LookupRotation = this->Set.Settings.LookupRotation;
+  settings.NumberOfDepthSamples =
+    this->Set.Settings.DepthOcclusion ? this->Set.Settings.NumberOfDepthSamples : 0;
+  settings.DepthAttenuation = this->Set.Settings.DepthAttenuation;
 
   vtkIndirectKey key;
   key.Add("estimator", this->Set.GetMTime()).Add("bounces", settings.Bounces);
   key.Add("senders", input.Plan.Senders);
   key.Add("senders", input.Lights ? input.Lights->GetContentTime() : input.Maps.GetContentTime());
-  if (settings.DepthOcclusion)
+  if (settings.NumberOfDepthSamples > 0)
   {
     key.Add("eye", input.Frame.WorldToView).Add("eye", input.Frame.Projection);
   }

@@ -7,6 +7,8 @@ uniform sampler2D vtkiCoarserVector;     // luminance of the vector irradiance
 uniform ivec2 vtkiCoarserSize;
 uniform float vtkiCoarserEdge; // pixels along the edge of a coarser texel
 
+uniform bool vtkiContinuesSlopes; // beyond the last texel of a surface; false: as Nichols and Wyman 2009
+
 struct vtkiCoarser
 {
   bool counts; // has illumination, on the same surface
@@ -25,11 +27,11 @@ vtkiCoarser vtkiFetchCoarser(ivec2 place, vtkiTangentPlane plane, bool trusted)
     sampled.a > 0.0f && same, sampled.rgb, texelFetch(vtkiCoarserVector, at, 0).xyz);
 }
 
-// Difference to the nearer neighbour; if that is on another surface, to the one across: towards an
-// edge where surfaces meet, the slope continues.
+// Difference to the nearer neighbour; if that is on another surface, to the one across, where slopes
+// continue towards an edge at which surfaces meet.
 vec3 vtkiSlopeTowards(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acrossCounts)
 {
-  return nearCounts ? near - own : (acrossCounts ? own - across : vec3(0.0f));
+  return nearCounts ? near - own : (acrossCounts && vtkiContinuesSlopes ? own - across : vec3(0.0f));
 }
 
 // Linear along both axes from the coarser texel that holds this one; if that is missing, the mean
