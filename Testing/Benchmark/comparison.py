@@ -148,7 +148,7 @@ class Run(compare.Run):
 
     def _key(self, row: Row) -> str:
         identity = {k: v for k, v in self.common.items() if k != "schema"}
-        identity["flicker"] = self.comparison.sweep.flicker
+        identity["flicker"] = self._flickers(row)
         identity["with_errors"] = self.with_errors
         return json.dumps([identity, row.key()], sort_keys=True)
 
@@ -225,13 +225,18 @@ class Run(compare.Run):
     def method(self, row: Row) -> Result:
         """Times, errors and pictures of a row."""
         result = super().method(row)
-        if row.method != "off" and self.comparison.sweep.flicker and "flicker" not in self.missing:
+        if row.method != "off" and self._flickers(row) and "flicker" not in self.missing:
             result.update(self._flicker(row))
         return result
 
     def judged(self, row: Row, seen: references.Buffers) -> Result:
         """Errors of a frame and its pictures."""
         return self.judge(seen) | self._pictures(row, seen)
+
+    def _flickers(self, row: Row) -> bool:
+        """Whether a row is measured along the camera's path, too."""
+        wanted = self.comparison.sweep.flicker
+        return wanted if isinstance(wanted, bool) else row.label in wanted
 
     def _flicker(self, row: Row) -> Result:
         truth = self.truth()
@@ -386,7 +391,7 @@ def _outside(comparison: Comparison, given: str | None) -> None:
 def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
     """Run the comparison, print the paths of its page and its table."""
     what = compare.sweep_of(arguments)
-    what = dataclasses.replace(what, flicker=what.flicker or arguments.flicker)
+    what = dataclasses.replace(what, flicker=arguments.flicker or what.flicker)
     plot.require_plots()
     directory, stored = compare.check_inputs(arguments)
     comparison = Comparison(

@@ -8,6 +8,7 @@ and ``spheres`` are comparisons by ``comparison.py``, ``*.md`` are tables that b
 
 from __future__ import annotations
 
+import csv
 import json
 import shutil
 import sys
@@ -40,13 +41,11 @@ papers](speed-vs-error/benchmarks.md).
 | uniform, importance | the default with lights of these samplers in place of the tree |
 | gather, gather-random-walk | the gather at every pixel with the default's lights, and with 1000 vertices of a walk |
 | splatting | splats of 256 even lights |
-| hints | radiance hints with 1 and 8 bounces |
-| gather-paper | Dachsbacher and Stamminger 2005 with 308 samples, sums at 64 pixels along an edge |
-| splatting-paper | Dachsbacher and Stamminger 2006, 768 even lights |
-| multiresolution-paper | the splitting of Nichols and Wyman 2009, 256 even lights |
+| hints | radiance hints, 8 bounces |
+| gather-paper, splatting-paper, multiresolution-paper, hints-paper | [the papers' versions](guide.md#the-papers-versions): Dachsbacher and Stamminger 2005 and 2006, Nichols and Wyman 2009, Papaioannou 2011 |
 | mitsuba | the path tracer by samples a pixel |
 
-Rows of papers and -open ignore occluders between senders and receivers, as the papers do. They converge to R1, and
+Flicker is measured of four rows. Rows of papers and -open ignore occluders between senders and receivers, as the papers do. They converge to R1, and
 their light in places that should be dark is a large part of relMSE, which divides by the reference at each pixel. Rows
 with one bounce are compared with R2; against R3 they lack the later bounces, more than half of all indirect light in
 closed, pale rooms.
@@ -153,6 +152,12 @@ def publish(report: Path, page: Page, documentation: Path) -> None:
     while "\n\n\n" in text:
         text = text.replace("\n\n\n", "\n\n")
     (documentation / page.file).write_text(text, encoding="utf-8")
+    if report.name == "all":
+        for name, table in TABLES.items():
+            path = documentation.parent / name
+            if path.is_file() and BEGIN in path.read_text(encoding="utf-8"):
+                text = with_table(path.read_text(encoding="utf-8"), table(results))
+                path.write_text(text, encoding="utf-8")
 
 
 def tracer_seconds(rows: list[dict[str, Any]], error: float) -> tuple[float, bool] | None:
@@ -197,7 +202,7 @@ def at_a_glance(results: list[dict[str, Any]]) -> str:
     for scene in dict.fromkeys(row["scene"] for row in results):
         named = by_label(results, scene)
         cells = [f"{named[name]['processor_ms']:.0f}" if name in named else "" for name in ("vtk", "ssao")]
-        for label in ("default", "default-moving", "hints NumberOfBounces=8"):
+        for label in ("default", "default-moving", "hints"):
             row = named.get(label, {})
             added = row.get("added_processor_over_ssao")
             cells += ["" if added is None else f"{added:.2f}", error_cell(row)]
@@ -211,6 +216,95 @@ def at_a_glance(results: list[dict[str, Any]]) -> str:
             cells += [f"{more}{seconds:.1f}", f"{more}{times:.1f}"]
         lines.append(f"| {scene} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+README_SCENES = {"cornell_box": "Cornell box", "apartment_living": "living room", "frog": "frog"}
+
+
+def table_of_readme(results: list[dict[str, Any]]) -> str:
+    """README's table: whole frames of three scenes, and the default's and hints' error."""
+    lines = [
+        provenance(results),
+        "",
+        "| scene | plain VTK | VTK with `UseSSAO` | all bounces (default) | relMSE, bias | "
+        "radiance hints, 8 bounces | relMSE, bias |",
+        "|---|---:|---:|---:|---:|---:|---:|",
+    ]
+    for scene, name in README_SCENES.items():
+        named = by_label(results, scene)
+        cells = [f"{named[label]['processor_ms']:.0f}" for label in ("vtk", "ssao")]
+        for label in ("default-moving", "hints"):
+            cells += [f"{named[label]['processor_ms']:.0f}", error_cell(named[label])]
+        lines.append(f"| [{name}](Testing/Scenes/{scene}.json) | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+GUIDE_ROWS = {
+    "nothing set": "default",
+    "nothing set, moving": "default-moving",
+    "one bounce": "default-one-bounce",
+    "`Visibility` `none`": "default-open",
+    "`Visibility` `voxels`": "default-voxels",
+    "256 lights, `uniform`": "uniform",
+    "256 lights, `importance`": "importance",
+    "`gather`": "gather",
+    "`splatting`, 256 lights, `uniform`": "splatting",
+    "`hints`": "hints",
+}
+GUIDE_TIMES = ("cornell_box", "apartment_living", "frog")
+GUIDE_ERRORS = ("cornell_box", "apartment_living", "room_fire", "frog", "protein", "brain")
+
+
+def table_of_guide(results: list[dict[str, Any]]) -> str:
+    """The guide's table: what each method adds over what SSAO adds, and its error."""
+    heads = [*(f"adds: {scene}" for scene in GUIDE_TIMES), *(f"relMSE, bias: {scene}" for scene in GUIDE_ERRORS)]
+    lines = [provenance(results), ""]
+    lines += ["| method | " + " | ".join(heads) + " |", "|---|" + "---:|" * len(heads)]
+    for name, label in GUIDE_ROWS.items():
+        rows = {scene: by_label(results, scene).get(label, {}) for scene in GUIDE_ERRORS}
+        added = [rows[scene].get("added_processor_over_ssao") for scene in GUIDE_TIMES]
+        cells = ["" if value is None else f"{value:.2f}" for value in added]
+        cells += [error_cell(rows[scene]) for scene in GUIDE_ERRORS]
+        lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+TABLES = {
+    "README.md": table_of_readme,
+    "Documentation/guide.md": table_of_guide,
+}
+"""Tables of other pages that are made of the rows of speed-vs-error.md."""
+BEGIN = "<!-- Testing/Benchmark/report writes this table -->"
+END = "<!-- end of the table -->"
+
+
+def with_table(text: str, table: str) -> str:
+    """A page with another table between the marks."""
+    before, _, rest = text.partition(BEGIN)
+    after = rest.partition(END)[2]
+    return f"{before}{BEGIN}\n{table}\n{END}{after}"
+
+
+WORDS = ("label", "scene", "method", "error", "settings", "commit", "shader_hash", "version", "vtk", "gl",
+         "gl_version")  # fmt: skip
+"""Columns whose values are text even where they look like numbers."""
+
+
+def read_table(path: Path) -> list[dict[str, Any]]:
+    """The rows of a table of comma-separated values, with numbers where there are numbers."""
+
+    def value(name: str, text: str) -> Any:
+        if text == "":
+            return None
+        if name in WORDS:
+            return text
+        try:
+            return float(text)
+        except ValueError:
+            return text
+
+    with path.open(newline="", encoding="utf-8") as stream:
+        return [{name: value(name, text) for name, text in row.items()} for row in csv.DictReader(stream)]
 
 
 def equals(results: list[dict[str, Any]]) -> str:

@@ -10,7 +10,7 @@ A list of values stands for one row each; several lists make every combination, 
 fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists
 chose), ``pace`` (one of `frames.PACES`: what the camera does meanwhile; default: it turns by less
 than a pixel, and each frame is one of a camera that stands). Optional keys of the sweep:
-``flicker`` (true: also along a path of the camera), ``path_tracer`` (samples a pixel for each of
+``flicker`` (true, or labels of rows: also along a path of the camera), ``path_tracer`` (samples a pixel for each of
 its curves, {"one_bounce": […], "all_bounces": […]}), ``path_traced_scenes`` (names; default: all).
 """
 
@@ -51,7 +51,8 @@ class Sweep:
     """Rows that a comparison runs on each scene."""
 
     rows: list[Row]
-    flicker: bool = False
+    flicker: bool | list[str] = False
+    """Rows that are measured along a path of the camera, too: all, none, or those of these labels."""
     path_tracer: dict[str, list[int]] = field(default_factory=lambda: dict(PATH_TRACER))
     path_traced_scenes: list[str] | None = None
     """Names of the scenes that the path tracer's rows are of; None for all."""
