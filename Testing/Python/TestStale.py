@@ -19,9 +19,11 @@ from vtkindirect import windows, wrapped
 # Other caches than those of maps ask the same place when a prop has changed: a few of each suffice.
 SHAPES = ("plane_origin", "level_source", "user_matrix", "glyph_source")
 SPHERES = ("property_color", "user_matrix", "ball_glyph_source", "part_removed")
+# Few lights: caches follow what has changed, not how many lights are drawn again.
+FEW = dict(number_of_lights=32)
 WAYS = {
-    "maps": (dict(method="auto", lighting="scene"), CHANGES),
-    "voxels": (dict(method="gather", lighting="scene", visibility="voxels"), SHAPES),
+    "maps": (dict(method="auto", lighting="scene", **FEW), CHANGES),
+    "voxels": (dict(method="gather", lighting="scene", visibility="voxels", **FEW), SHAPES),
     "hints": (dict(method="hints", lighting="scene"), ("texture_pixels", "plane_origin")),
     "spheres": (dict(method="proxies", lighting="scene", environment=(1, 1, 1)), SPHERES),
     "sky": (dict(method="auto", lighting="scene", environment=(1, 1, 1)), SHAPES),

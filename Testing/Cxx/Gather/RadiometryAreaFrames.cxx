@@ -152,7 +152,7 @@ VTK_INDIRECT_TEST(AreaImageInFrames)
           }
           return sums[number++];
         };
-        CompareLight(scene, "area", Every(5), expect,
+        CompareLight(scene, "area", Every(11), expect,
           { 5e-3, 0.01, "a hundredth of the value is what users are promised" },
           std::string(picture.first) + " at " + std::to_string(height) +
             (moving ? ", moving" : ", still"));
@@ -238,7 +238,7 @@ VTK_INDIRECT_TEST(AreaVideoWithoutFlicker)
 // light's change between steps equals the sum's, but for a small part.
 VTK_INDIRECT_TEST(AreaImageSplitsWithoutPop)
 {
-  const auto counts = Every(11);
+  const auto counts = Every(29);
   ImageScene scene({ -0.5, -0.5, 0.2 }, { 0, 1, 0 }, { 1, 0, 0 });
   scene.Show(Photograph);
   for (const bool moving : { true, false })

@@ -13,6 +13,7 @@
 #include "vtkImageData.h"
 #include "vtkIndirectSplattingPass.h"
 #include "vtkInteractorStyleTrackballCamera.h"
+#include "vtkLightTreeSampler.h"
 #include "vtkMolecule.h"
 #include "vtkOpenGLMoleculeMapper.h"
 #include "vtkOpenGLSphereMapper.h"
@@ -75,6 +76,10 @@ struct ParticleView : View
       this->Renderer->AddLight(MakeLight(LightKind::Spot, { 1.0, 2.5, 1.5 }, { 0.0, 0.3, 0.0 }));
     }
     this->Pass->SetEnvironment(sky ? this->Sky.Get() : nullptr);
+    // Few lights, and their maps: what is tested is the sky.
+    vtkNew<vtkLightTreeSampler> sampler;
+    sampler->SetNumberOfLights(16);
+    this->Pass->SetSampler(sampler);
     this->Renderer->SetPass(this->Pass);
     vtkCamera* camera = this->Renderer->GetActiveCamera();
     camera->SetPosition(0.0, 2.0, 4.5);

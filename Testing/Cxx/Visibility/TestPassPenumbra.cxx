@@ -304,7 +304,7 @@ VTK_INDIRECT_TEST(PenumbraExtremes)
 // Many lights of all kinds, hard and soft ones, and everything that VTK draws.
 VTK_INDIRECT_TEST(PenumbraKinds)
 {
-  View view(200, 150);
+  View view(96, 72);
   AddKinds(view.Renderer);
   vtkNew<vtkIndirectIlluminationPass> pass;
   view.Renderer->SetPass(pass);
