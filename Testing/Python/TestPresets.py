@@ -19,8 +19,8 @@ from vtkindirect.frames import Job
 METHODS = ("gather", "splatting", "multiresolution", "hints", "proxies", "reference")
 PLAIN = {"NumberOfBounces": 1, "Visibility": "none"}
 SINGLE = {
-    # 64 sums along the longer edge of 320 x 240 pixels
-    "gather": (None, {"Mode": "neighborhood", "NumberOfSamples": 308, "InterpolationStep": 5}),
+    # 64 sums along the longer edge of 192 x 144 pixels
+    "gather": (None, {"Mode": "neighborhood", "NumberOfSamples": 308, "InterpolationStep": 3}),
     "splatting": (
         "importance",
         {"IntensityThreshold": 0.05, "FarField": False, "NumberOfLights": 768, "Levels": 4,
@@ -38,9 +38,11 @@ class Presets(unittest.TestCase):
     def setUp(self) -> None:
         self.renderer = vtkRenderer()
 
-    def render(self, method, sampler=None, name="two_planes", buffer="irradiance", **values):
+    def render(
+        self, method, sampler=None, name="two_planes", buffer="irradiance", size=(192, 144), **values
+    ):
         scene = vtkindirect.load_scene(support.SCENES / f"{name}.json")
-        window = frames.open_window(scene, (320, 240))
+        window = frames.open_window(scene, size)
         self.addCleanup(window.Finalize)
         frames.render(scene, window, Job(method, sampler, values))
         report = vtkindirect.report(scene.renderer)
@@ -62,7 +64,8 @@ class Presets(unittest.TestCase):
     def test_nothing_hides_and_one_bounce_unless_asked(self) -> None:
         for method in METHODS:
             with self.subTest(method=method):
-                _, report = self.render(method, preset="paper")
+                _, report = self.render(method, size=(32, 24), preset="paper",
+                                        ReflectiveShadowMapResolution=64)  # fmt: skip
                 self.assertEqual(report["settings"]["Visibility"], "none")
                 self.assertEqual(report["settings"]["NumberOfBounces"], 1)
         _, report = self.render("multiresolution", preset="paper", number_of_bounces=4,

@@ -61,7 +61,11 @@ NOT_RUN = {
     ("Documentation/guide.md", "vtkIndirectIlluminationPass::SetLightRadius"): CXX,
     ("Documentation/guide.md", "pass->SetLightingToFull();"): CXX,
     ("Documentation/guide.md", "vtkNew<vtkMultiresolutionSplattingPass>"): CXX,
+    ("Documentation/guide.md", "splatting->SetPresetToPaper();"): CXX,
     ("Documentation/guide.md", "vtkNew<vtkInformation> keys;"): CXX,
+    ("Documentation/papers.md", "Testing/Benchmark/papers.py"): (
+        "it needs minutes; Benchmark.pages looks for its figures"
+    ),
     ("Documentation/headless.md", "vtkNew<vtkEGLHeadlessRenderWindow>"): CXX,
     ("Documentation/headless.md", "vtkIndirectHeadlessFactory::Enable();"): CXX,
     ("Documentation/headless.md", "window->Initialize();"): CXX,
