@@ -79,7 +79,7 @@ private:
   vtkIndirectLobeGather Lobes{ this };
   const std::shared_ptr<vtkIndirectAllTexelsSampler> AllTexels =
     std::make_shared<vtkIndirectAllTexelsSampler>();
-  bool Interpolates = false; // in the last frame
+  int Step = 1; // pixels between sums in the last frame
   std::string
     WhatDiskLeaves; // light outside of the last frame's disks, in words; empty if there is none
 };
@@ -99,8 +99,9 @@ void GatherSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan*
   list.Add("Mode", vtkIndirectSettingList::Choice{ names[this->Set.GetMode()] })
     .Add("NumberOfSamples", this->Set.GetNumberOfSamples())
     .Add("NeighborhoodRadius", this->Set.GetNeighborhoodRadius())
-    .Add("Interpolation", plan ? this->Interpolates : this->Set.GetInterpolation())
-    .Add("InterpolationStep", this->Set.GetInterpolationStep());
+    .Add("Interpolation", plan ? this->Step > 1 : this->Set.GetInterpolation())
+    .Add(
+      "InterpolationStep", plan && this->Step > 1 ? this->Step : this->Set.GetInterpolationStep());
 }
 
 //------------------------------------------------------------------------------
@@ -232,8 +233,8 @@ bool GatherSum::Sum(const Input& input)
   const bool interpolate = this->Set.GetInterpolation() && wanted > 1 &&
     this->Set.GetMode() != vtkRSMGatherPass::ALL_TEXELS &&
     rows * vtkIndirectSampler::RowLength <= input.Visibility.GetMaximumNumberOfSenders();
-  this->Interpolates = interpolate;
   const int step = interpolate ? wanted : 1;
+  this->Step = step;
   if (!this->Irradiance->Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input) || (interpolate && !this->Coarse.Resize(frame, step)))
   {

@@ -60,6 +60,8 @@ class Presets(unittest.TestCase):
                 usual, _ = self.render(method, **where)
                 self.assertFalse(np.array_equal(paper, usual))
                 self.assertEqual(report["settings"]["Preset"], "paper")
+                for name in ("InterpolationStep", "ReceiverStep"):  # chosen ones are said
+                    self.assertEqual(report["settings"].get(name), values.get(name))
 
     def test_nothing_hides_and_one_bounce_unless_asked(self) -> None:
         for method in METHODS:
