@@ -41,10 +41,7 @@ def render(
     scene = vtkindirect.load_scene(scene_of(name))
     window = frames.open_window(scene, size)
     frames.render(scene, window, Job(method, sampler, settings))
-    if buffer == "window" or method == "off":
-        found = images.window_floats(window)
-    else:
-        found = images.copy_buffer(scene.renderer, buffer)
+    found = images.copy_buffer(scene.renderer, buffer)
     window.Finalize()
     return np.repeat(found, 3, axis=2)[::-1] if found.shape[2] == 1 else found[::-1, :, :3]
 

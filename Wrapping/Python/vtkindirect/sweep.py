@@ -10,8 +10,9 @@ A list of values stands for one row each; several lists make every combination, 
 fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists
 chose), ``pace`` (one of `frames.PACES`: what the camera does meanwhile; default: it turns by less
 than a pixel, and each frame is one of a camera that stands). Optional keys of the sweep:
-``flicker`` (true, or labels of rows: also along a path of the camera), ``path_tracer`` (samples a pixel for each of
-its curves, {"one_bounce": […], "all_bounces": […]}), ``path_traced_scenes`` (names; default: all).
+``flicker`` (true, or labels of rows: also along a path of the camera), ``path_tracer`` (samples a
+pixel for each of its curves, {"one_bounce": […], "all_bounces": […]}), ``path_traced_scenes``
+(names; default: all).
 """
 
 from __future__ import annotations
