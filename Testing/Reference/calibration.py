@@ -178,7 +178,7 @@ def vtk_buffers(path: Path) -> tuple[Any, dict[str, np.ndarray]]:
 
     scene = vtkindirect.load_scene(path)
     window = scene.make_window()
-    vtkindirect.enable(scene.renderer, "gather", number_of_lights=16)
+    vtkindirect.enable(scene.renderer, "gather", lighting="scene", number_of_lights=16)
     indirect = vtkindirect.pass_of(scene.renderer)
     indirect.SetShadows(True)
     indirect.SetReflectiveShadowMapResolution(1024)
