@@ -23,18 +23,15 @@ vtkStandardNewMacro(vtkRandomWalkLightSampler);
 namespace
 {
 // While things move, a tree is made of this many times fewer vertices.
-constexpr int FewerWhileMoving = 4;
+constexpr int FewerWhileMoving = 8;
 
 // Largest number of vertices, however many frames a walk extends over.
 constexpr int MostVertices = 1048576;
 
-// Returns the ratio of the area over which later vertices are smoothed to their own area, in a tree
-// of this many vertices. Places are random, and with less smoothing vertices beside a crease would
-// show one by one. The smoothing costs rooms half a per cent of their light.
-double FindSmoothing(int vertices)
-{
-  return 12.0 * std::sqrt(8192.0 / vertices);
-}
+// The area over which later vertices are smoothed, over their own area. Places are random, and with
+// less smoothing vertices beside a crease would show one by one. The smoothing costs rooms half a
+// per cent of their light.
+constexpr double SmoothingOfLaterBounces = 8.0;
 
 // Makes a key of the inputs of the paths, except the surfaces.
 vtkIndirectKey MakeKey(
@@ -83,9 +80,8 @@ private:
   vtkIndirectSenderClusters Clusters;
   size_t NumberOfEmitters = 0;
   int NumberOfWalks = 0;
-  int Frames = 0;       // number of frames that the walk extends over so far
-  bool HasMore = false; // a still frame would have more vertices
-  double Smoothing = 1.0;
+  int Frames = 0;          // number of frames that the walk extends over so far
+  bool HasMore = false;    // a still frame would have more vertices
   vtkIndirectKey WalkKey;  // the inputs of the paths, except surfaces; empty: there are no paths
   vtkIndirectKey TableKey; // the further inputs of the lights
   vtkIndirectFurtherSenders Further;
@@ -121,7 +117,7 @@ void WalkLights::FindSenders(vtkIndirectFurtherSenders& senders) const
     senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
     senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
       static_cast<float>(vertex.Area), glm::vec3(vertex.DensityArea), map,
-      static_cast<float>(vertex.Bounce > 1 ? this->Smoothing : 1.0) });
+      static_cast<float>(vertex.Bounce > 1 ? SmoothingOfLaterBounces : 1.0) });
   }
 }
 
@@ -179,7 +175,6 @@ bool WalkLights::Walk(const Input& input)
   this->NumberOfTreeBuilds = input.Surfaces->GetNumberOfBuilds();
   this->LeftOut = input.Surfaces->GetLeftOut();
   this->NumberOfEmitters = emitters.size();
-  this->Smoothing = FindSmoothing(settings.NumberOfVertices);
   this->WalkKey = key;
   ++this->NumberOfWalks;
   return true;

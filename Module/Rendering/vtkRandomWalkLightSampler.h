@@ -47,7 +47,7 @@ public:
    * Approximate number of vertices of paths that the lights are made of, as vtkLightTreeSampler
    * makes lights of maps' texels: at most NumberOfLights clusters, with branches that near
    * receivers sum. In changing scenes, while the window's rate is a frame a second or more
-   * (vtkRenderWindow::SetDesiredUpdateRate), a quarter as many. Default 0: each light is a vertex.
+   * (vtkRenderWindow::SetDesiredUpdateRate), an eighth as many. Default 0: each light is a vertex.
    * Range 0 to 1048576.
    */
   vtkIndirectClampMacro(NumberOfVertices, int, 0, 1048576);

@@ -17,7 +17,7 @@ namespace
 {
 // Later bounces are made of this many vertices and lights. See
 // Documentation/methods/random-walk.md.
-constexpr int VerticesOfLaterBounces = 32768;
+constexpr int VerticesOfLaterBounces = 65536;
 constexpr int LightsOfLaterBounces = 64;
 }
 

@@ -81,14 +81,23 @@ public:
   {
     std::iota(this->Order.begin(), this->Order.end(), 0u);
     this->Part(0, this->Order.size());
+    std::vector<glm::dvec3> sorted;
+    sorted.reserve(this->Points.size());
+    for (const uint32_t i : this->Order)
+    {
+      sorted.push_back(this->Points[i]);
+    }
+    this->Points.swap(sorted);
   }
+
+  // Returns the points in an order in which neighbours come soon after each other.
+  const std::vector<uint32_t>& GetOrder() const { return this->Order; }
 
   // Finds this many points nearest to a place, the nearest first.
   void FindNearest(const glm::dvec3& place, size_t count, Found& found) const
   {
     found.clear();
     this->Find(0, this->Order.size(), place, count, found);
-    std::sort_heap(found.begin(), found.end());
   }
 
 private:
@@ -124,24 +133,24 @@ private:
     this->Part(middle + 1, end);
   }
 
+  // Keeps the list sorted: it is too short for a heap to pay.
   void Take(size_t i, const glm::dvec3& place, size_t count, Found& found) const
   {
-    const glm::dvec3 apart = this->Points[this->Order[i]] - place;
+    const glm::dvec3 apart = this->Points[i] - place;
     const Found::value_type taken(glm::dot(apart, apart), this->Order[i]);
-    if (found.size() < count)
+    if (found.size() == count)
     {
-      found.push_back(taken);
+      if (!(taken < found.back()))
+      {
+        return;
+      }
+      found.pop_back();
     }
-    else if (taken < found.front())
+    found.push_back(taken);
+    for (size_t k = found.size() - 1; k > 0 && found[k] < found[k - 1]; --k)
     {
-      std::pop_heap(found.begin(), found.end());
-      found.back() = taken;
+      std::swap(found[k], found[k - 1]);
     }
-    else
-    {
-      return;
-    }
-    std::push_heap(found.begin(), found.end());
   }
 
   void Find(size_t begin, size_t end, const glm::dvec3& place, size_t count, Found& found) const
@@ -156,18 +165,18 @@ private:
     }
     const size_t middle = begin + (end - begin) / 2;
     const int axis = this->Axes[middle];
-    const double beyond = place[axis] - this->Points[this->Order[middle]][axis];
+    const double beyond = place[axis] - this->Points[middle][axis];
     this->Take(middle, place, count, found);
     const bool above = beyond > 0.0;
     this->Find(above ? middle + 1 : begin, above ? end : middle, place, count, found);
-    if (found.size() < count || beyond * beyond < found.front().first)
+    if (found.size() < count || beyond * beyond < found.back().first)
     {
       this->Find(above ? begin : middle + 1, above ? middle : end, place, count, found);
     }
   }
 
-  std::vector<glm::dvec3> Points;
-  std::vector<uint32_t> Order;
+  std::vector<glm::dvec3> Points;  // in the tree's order
+  std::vector<uint32_t> Order;     // the number that each of them was given as
   std::vector<unsigned char> Axes; // axis of each part's median
 };
 }
@@ -432,7 +441,7 @@ void vtkIndirectRandomWalk::FindAreas()
       PointTree::Found nearest;
       for (vtkIdType i = begin; i < end; ++i)
       {
-        Vertex& vertex = this->Vertices[members[static_cast<size_t>(i)]];
+        Vertex& vertex = this->Vertices[members[tree.GetOrder()[static_cast<size_t>(i)]]];
         // Twice as many are searched, because some of them lie around a corner.
         tree.FindNearest(vertex.Position, 2 * Neighbors, nearest);
         int alike = 0;
