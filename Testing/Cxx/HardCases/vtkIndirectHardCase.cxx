@@ -229,6 +229,33 @@ Image HardCase::CheckEstimators(
       this->CheckMaps(numberOfMaps);
     }
   }
+  this->CheckUserChoices(numberOfMaps);
   return truth;
+}
+
+//------------------------------------------------------------------------------
+void HardCase::CheckUserChoices(int numberOfMaps)
+{
+  // The first scene of a test gets all choices. Its further scenes mostly differ in one number, and
+  // get three choices each in turn, because a frame takes most of a second.
+  constexpr size_t Further = 3;
+  static size_t scenes = 0;
+  const size_t turn = scenes++;
+  const std::vector<UserChoice>& choices = GetUserChoices();
+  for (size_t i = 0; i < choices.size(); ++i)
+  {
+    const UserChoice& choice = choices[i];
+    if ((numberOfMaps == 0 && choice.NeedsMaps) ||
+      (turn > 0 && i / Further != turn % (choices.size() / Further)))
+    {
+      continue;
+    }
+    std::printf("       %s; %s\n", this->Name.c_str(), choice.Name);
+    choice.Install(this->Pass);
+    this->Render();
+    this->CheckBuffers(0);
+    this->CheckBuffersFit();
+  }
+  GetEstimators().back().Install(this->Pass, this->NumberOfLights);
 }
 }

@@ -48,6 +48,8 @@ private:
   Image Sum(int mode);
   void CheckBuffersFit();
   void CheckMaps(int numberOfMaps);
+  /** Renders with every choice of users; every buffer is valid and fits the others. */
+  void CheckUserChoices(int numberOfMaps);
 
   std::string Name;
 };

@@ -9,6 +9,7 @@
 #include "vtkNew.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
+#include "vtkRandomWalkLightSampler.h"
 #include "vtkUniformLightSampler.h"
 
 namespace vtkIndirectTest
@@ -25,6 +26,7 @@ void InstallSampler(vtkIndirectIlluminationPass* pass, int pattern, int numberOf
   pass->SetSampler(sampler);
   pass->SetErrorTolerance(0.0);
   pass->SetVisibilityToNone();
+  pass->SetNumberOfBounces(1);
 }
 
 template <int Mode, int Pattern, bool Interpolated>
@@ -85,6 +87,37 @@ void InstallHints(vtkIndirectIlluminationPass* pass, int)
   hints->SetOccupancyResolution(64);
   pass->SetEstimator(hints);
   pass->SetVisibilityToAuto(); // the grid needs its voxels to place hints
+  pass->SetNumberOfBounces(1);
+}
+
+void InstallDefaults(vtkIndirectIlluminationPass* pass)
+{
+  const vtkNew<vtkIndirectIlluminationPass> fresh;
+  pass->SetEstimator(nullptr);
+  pass->SetSampler(nullptr);
+  pass->SetVisibility(fresh->GetVisibility());
+  pass->SetNumberOfBounces(fresh->GetNumberOfBounces());
+  pass->SetErrorTolerance(fresh->GetErrorTolerance());
+}
+
+template <class Method, bool Paper>
+void InstallMethod(vtkIndirectIlluminationPass* pass)
+{
+  InstallDefaults(pass);
+  vtkNew<Method> method;
+  if (Paper)
+  {
+    method->SetPresetToPaper();
+  }
+  pass->SetEstimator(method);
+}
+
+template <class Sampler>
+void InstallSamplerAlone(vtkIndirectIlluminationPass* pass)
+{
+  InstallDefaults(pass);
+  vtkNew<Sampler> sampler;
+  pass->SetSampler(sampler);
 }
 }
 
@@ -125,6 +158,22 @@ const std::vector<EstimatorEntry>& GetEstimators()
       InstallMultiresolution<true> },
   };
   return table;
+}
+
+const std::vector<UserChoice>& GetUserChoices()
+{
+  static const std::vector<UserChoice> choices = {
+    { "default", false, InstallDefaults },
+    { "default gather", false, InstallMethod<vtkRSMGatherPass, false> },
+    { "default splatting", false, InstallMethod<vtkIndirectSplattingPass, false> },
+    { "default hints", false, InstallMethod<vtkRadianceHintsPass, false> },
+    { "gather of the paper", true, InstallMethod<vtkRSMGatherPass, true> },
+    { "splatting of the paper", true, InstallMethod<vtkIndirectSplattingPass, true> },
+    { "multiresolution of the paper", false, InstallMethod<vtkMultiresolutionSplattingPass, true> },
+    { "hints of the paper", false, InstallMethod<vtkRadianceHintsPass, true> },
+    { "random walk", false, InstallSamplerAlone<vtkRandomWalkLightSampler> },
+  };
+  return choices;
 }
 
 double GetRounding(const std::string& text)

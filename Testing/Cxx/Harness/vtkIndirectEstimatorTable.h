@@ -39,6 +39,18 @@ struct EstimatorEntry
 
 const std::vector<EstimatorEntry>& GetEstimators();
 
+/** A choice as users make it: visibility, bounces, tolerance and lights are left to the pass. */
+struct UserChoice
+{
+  const char* Name;
+  /** It reads the lights' maps: a headlight, which has none, is an error. */
+  bool NeedsMaps;
+  void (*Install)(vtkIndirectIlluminationPass* pass);
+};
+
+/** Returns the methods and samplers at their defaults, and the methods' presets PAPER. */
+const std::vector<UserChoice>& GetUserChoices();
+
 /** Rounding of the estimator with whose name a text begins; 0 if there is none. */
 double GetRounding(const std::string& text);
 }
