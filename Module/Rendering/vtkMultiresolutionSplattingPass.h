@@ -61,17 +61,23 @@ public:
   enum FinestLevelType
   {
     FULL_RESOLUTION = 0,
-    HALF_RESOLUTION = 1
+    HALF_RESOLUTION = 1,
+    QUARTER_RESOLUTION = 2,
+    EIGHTH_RESOLUTION = 3
   };
 
   ///@{
   /**
-   * The finest subsplats: pixels, or squares of two by two. With HALF_RESOLUTION pixels that lie on
-   * no surface of the samples around them are evaluated on their own. Default FULL_RESOLUTION.
+   * The finest subsplats: pixels, or squares of two, four or eight pixels along an edge, which is
+   * the paper's maximal refinement level of 1024, 512, 256 or 128 squared for a picture of 1024
+   * squared (section 3.3.1). Pixels that lie on no surface of the samples around them are evaluated on
+   * their own. Default FULL_RESOLUTION.
    */
-  vtkIndirectClampMacro(FinestLevel, int, FULL_RESOLUTION, HALF_RESOLUTION);
+  vtkIndirectClampMacro(FinestLevel, int, FULL_RESOLUTION, EIGHTH_RESOLUTION);
   void SetFinestLevelToFullResolution() { this->SetFinestLevel(FULL_RESOLUTION); }
   void SetFinestLevelToHalfResolution() { this->SetFinestLevel(HALF_RESOLUTION); }
+  void SetFinestLevelToQuarterResolution() { this->SetFinestLevel(QUARTER_RESOLUTION); }
+  void SetFinestLevelToEighthResolution() { this->SetFinestLevel(EIGHTH_RESOLUTION); }
   ///@}
 
   ///@{

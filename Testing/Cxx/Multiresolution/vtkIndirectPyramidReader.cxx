@@ -94,7 +94,7 @@ void PyramidReader::Read(const vtkIndirectEstimateInput& input)
     vtkIndirectSubsplatSettings settings;
     const vtkIndirectSubsplatDetails& details = DetailsOf(this);
     settings.CoarsestResolution = details.CoarsestResolution;
-    settings.HalfResolution = this->GetFinestLevel() == HALF_RESOLUTION;
+    settings.FinestLevel = this->GetFinestLevel();
     settings.DepthRange = details.DepthRange;
     settings.PlaneThreshold = this->GetPlaneThreshold();
     settings.DepthThreshold = this->GetDepthThreshold();

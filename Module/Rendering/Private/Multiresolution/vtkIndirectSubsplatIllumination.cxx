@@ -75,6 +75,12 @@ bool vtkIndirectSubsplatIllumination::SharesLooks(const Work& work)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectSubsplatIllumination::IsBelowFinest(const Work& work)
+{
+  return static_cast<int>(work.Number) < work.Set.FinestLevel;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectSubsplatIllumination::Define(const Work& work)
 {
   const Settings& settings = work.Set;
@@ -87,15 +93,16 @@ void vtkIndirectSubsplatIllumination::Define(const Work& work)
   if (work.Number > 0)
   {
     this->SmoothTexels.SetDefinitions("#define VTKI_TEXELS\n");
-    this->OtherTexels.SetDefinitions(lights + (settings.HasCompute ? "" : evaluate));
+    this->OtherTexels[IsBelowFinest(work)].SetDefinitions(
+      lights + (settings.HasCompute && !IsBelowFinest(work) ? "" : evaluate));
     this->TexelBlocks[SharesLooks(work)].SetDefinitions(images);
     return;
   }
   this->SmoothPixels.SetDefinitions(
     detail + (settings.HasCompute ? "#define VTKI_BLOCKS_FOLLOW\n" : ""));
-  // At half resolution pixels without a sample of their own are evaluated one by one.
+  // Below the finest level pixels without a sample of their own are evaluated one by one.
   this->OtherPixels.SetDefinitions(
-    lights + detail + (settings.HasCompute && !settings.HalfResolution ? "" : evaluate));
+    lights + detail + (settings.HasCompute && !IsBelowFinest(work) ? "" : evaluate));
   this->PixelBlocks[SharesLooks(work)].SetDefinitions(images + "#define VTKI_PIXELS\n" + detail);
 }
 
@@ -109,7 +116,7 @@ void vtkIndirectSubsplatIllumination::SetUniforms(
   program->SetUniform2i("vtkiLevelSize", size);
   program->SetUniformf("vtkiEdge", vtkIndirectSubsplatPyramid::EdgeOf(work.Number));
   program->SetUniformf("vtkiStorageScale", static_cast<float>(settings.StorageScale));
-  program->SetUniformi("vtkiSplits", !settings.HalfResolution);
+  program->SetUniformi("vtkiSplits", !IsBelowFinest(work));
   program->SetUniformi("vtkiCorrectNormals", settings.NormalCorrection);
   program->SetUniformf("vtkiSurfaceDetail", static_cast<float>(settings.SurfaceDetail));
   // The paper interpolates from all illuminated neighbours.
@@ -145,7 +152,8 @@ void vtkIndirectSubsplatIllumination::ActivateSurface(
 bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
 {
   vtkIndirectFullScreenProgram& smooth = work.Number == 0 ? this->SmoothPixels : this->SmoothTexels;
-  vtkIndirectFullScreenProgram& others = work.Number == 0 ? this->OtherPixels : this->OtherTexels;
+  vtkIndirectFullScreenProgram& others =
+    work.Number == 0 ? this->OtherPixels : this->OtherTexels[IsBelowFinest(work)];
   vtkOpenGLRenderWindow* window = work.In.Frame.Window;
   vtkOpenGLState* state = window->GetState();
   const vtkIndirectTarget& coarserSurface = work.Pyramid.GetSurface(work.Number + 1);
@@ -219,8 +227,7 @@ bool vtkIndirectSubsplatIllumination::Fill(const Work& work)
   {
     return false;
   }
-  return !work.Set.HasCompute || (work.Number == 0 && work.Set.HalfResolution) ||
-    this->EvaluateBlocks(work);
+  return !work.Set.HasCompute || IsBelowFinest(work) || this->EvaluateBlocks(work);
 }
 
 //------------------------------------------------------------------------------

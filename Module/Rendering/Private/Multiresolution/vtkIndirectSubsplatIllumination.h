@@ -47,6 +47,8 @@ private:
   // True if neighbouring leaves share shadow look-ups: in moving frames, where look-ups take half
   // of the time and a shadow's border may be off by a leaf.
   static bool SharesLooks(const Work& work);
+  /** True if the level above is not split. */
+  static bool IsBelowFinest(const Work& work);
   void Define(const Work& work);
   bool Fill(const Work& work);
   bool Interpolate(const Work& work);
@@ -57,7 +59,8 @@ private:
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // [i] is level i + 1
   bool HalfFloats = true;
   vtkIndirectFullScreenProgram SmoothTexels{ this, "vtkIndirectSubsplatSmoothFS.glsl" };
-  vtkIndirectFullScreenProgram OtherTexels{ this, "vtkIndirectSubsplatLevelFS.glsl" };
+  vtkIndirectFullScreenProgram OtherTexels[2] = { { this, "vtkIndirectSubsplatLevelFS.glsl" },
+    { this, "vtkIndirectSubsplatLevelFS.glsl" } }; // the second below the finest level
   vtkIndirectFullScreenProgram SmoothPixels{ this, "vtkIndirectSubsplatSmoothFS.glsl" };
   vtkIndirectFullScreenProgram OtherPixels{ this, "vtkIndirectSubsplatPixelFS.glsl" };
   // For still frames, and for frames with shared look-ups.

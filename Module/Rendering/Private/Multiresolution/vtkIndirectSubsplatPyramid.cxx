@@ -139,7 +139,7 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
     {
       vtkIndirectSetEyeUniforms(program, frame);
       program->SetUniformf("vtkiEdge", EdgeOf(number));
-      program->SetUniformi("vtkiSplits", !first || !settings.HalfResolution);
+      program->SetUniformi("vtkiSplits", static_cast<int>(number) > settings.FinestLevel);
       program->SetUniformi("vtkiLast", number == this->Levels.size());
       program->SetUniformf("vtkiPlaneThreshold", static_cast<float>(settings.PlaneThreshold));
       program->SetUniformf("vtkiDepthThreshold", static_cast<float>(settings.DepthThreshold));

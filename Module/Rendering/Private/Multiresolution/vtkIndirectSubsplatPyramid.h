@@ -21,7 +21,7 @@ class vtkIndirectLightBlock;
 /** Settings of a frame, with thresholds for the frame's tolerance. */
 struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
 {
-  bool HalfResolution = false;
+  int FinestLevel = 0; // no texel of this level or a finer one is split; level 0 is pixels
   double PlaneThreshold = 0.0;
   double DepthThreshold = 0.0;
   double NormalThreshold = 0.0;

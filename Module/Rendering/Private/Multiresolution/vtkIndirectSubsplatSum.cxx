@@ -20,6 +20,10 @@ namespace
 constexpr int LobeStep = 4;
 constexpr double LobeTolerance = 0.05;
 
+// The names of vtkMultiresolutionSplattingPass::FinestLevelType.
+const char* const FinestLevels[] = { "FullResolution", "HalfResolution", "QuarterResolution",
+  "EighthResolution" };
+
 const vtkIndirectChannels BatchChannels = {
   { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA32F, "-",
     "VTK irradiance" },
@@ -53,11 +57,7 @@ void vtkIndirectSubsplatSum::AddSettings(
   const auto& set = this->Set.Settings;
   const double tolerance = plan ? plan->EstimatorErrorTolerance : 0.0;
   this->vtkIndirectSum::AddSettings(list, plan);
-  list
-    .Add("FinestLevel",
-      Choice{ set.FinestLevel == vtkMultiresolutionSplattingPass::FULL_RESOLUTION
-          ? "FullResolution"
-          : "HalfResolution" })
+  list.Add("FinestLevel", Choice{ FinestLevels[set.FinestLevel] })
     .Add("DepthThreshold", set.DepthThreshold.Scale(tolerance))
     .Add("PlaneThreshold", set.PlaneThreshold.Scale(tolerance))
     .Add("NormalThreshold", set.NormalThreshold.Scale(tolerance))
@@ -111,8 +111,7 @@ vtkIndirectSubsplatSettings vtkIndirectSubsplatSum::MakeSettings(const Input& in
   const vtkIndirectSubsplatDetails& details = *this->Set.Details;
   vtkIndirectSubsplatSettings settings;
   static_cast<vtkIndirectSubsplatDetails&>(settings) = details;
-  settings.HalfResolution =
-    this->Set.Settings.FinestLevel == vtkMultiresolutionSplattingPass::HALF_RESOLUTION;
+  settings.FinestLevel = this->Set.Settings.FinestLevel;
   settings.SurfaceDetail = this->Set.Settings.SurfaceDetail;
   const double tolerance = input.Plan.EstimatorErrorTolerance;
   settings.PlaneThreshold = this->Set.Settings.PlaneThreshold.Scale(tolerance);

@@ -34,6 +34,22 @@ vec3 vtkiSlopeTowards(vec3 own, vec3 near, bool nearCounts, vec3 across, bool ac
   return nearCounts ? near - own : (acrossCounts && vtkiContinuesSlopes ? own - across : vec3(0.0f));
 }
 
+// The slope of irradiance, which falls by no more than all of it: a steeper slope, continued over a
+// quarter of a texel along both axes, would end below zero in a corner and draw a black pixel.
+vec3 vtkiIrradianceSlope(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acrossCounts)
+{
+  return max(vtkiSlopeTowards(own, near, nearCounts, across, acrossCounts), -own);
+}
+
+// The same for the vector irradiance, whose continued slope is no longer than the vector: its dot
+// product with the pixel's normal is to stay positive.
+vec3 vtkiVectorSlope(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acrossCounts)
+{
+  vec3 slope = vtkiSlopeTowards(own, near, nearCounts, across, acrossCounts);
+  return nearCounts ? slope
+                    : min(1.0f, sqrt(dot(own, own) / max(dot(slope, slope), 1.0e-30f))) * slope;
+}
+
 // Linear along both axes from the coarser texel that holds this one; if that is missing, the mean
 // of the nearer neighbours. trusted: the own texel counts in any case. Returns false if no texel
 // counts.
@@ -50,17 +66,16 @@ bool vtkiInterpolateSubsplat(ivec2 texel, vtkiTangentPlane plane, bool trusted,
   vtkiCoarser acrossY = vtkiFetchCoarser(place - alongY, plane, false);
   if (own.counts)
   {
-    // The centres are a quarter of the coarser edge apart. Irradiance is at least zero.
-    irradiance = max(own.irradiance + 0.25f *
-        (vtkiSlopeTowards(
+    // The centres are a quarter of the coarser edge apart.
+    irradiance = own.irradiance + 0.25f *
+        (vtkiIrradianceSlope(
            own.irradiance, x.irradiance, x.counts, acrossX.irradiance, acrossX.counts) +
-          vtkiSlopeTowards(
-            own.irradiance, y.irradiance, y.counts, acrossY.irradiance, acrossY.counts)),
-      vec3(0.0f));
+          vtkiIrradianceSlope(
+            own.irradiance, y.irradiance, y.counts, acrossY.irradiance, acrossY.counts));
     vectorIrradiance = own.vectorIrradiance + 0.25f *
-        (vtkiSlopeTowards(own.vectorIrradiance, x.vectorIrradiance, x.counts,
+        (vtkiVectorSlope(own.vectorIrradiance, x.vectorIrradiance, x.counts,
            acrossX.vectorIrradiance, acrossX.counts) +
-          vtkiSlopeTowards(own.vectorIrradiance, y.vectorIrradiance, y.counts,
+          vtkiVectorSlope(own.vectorIrradiance, y.vectorIrradiance, y.counts,
             acrossY.vectorIrradiance, acrossY.counts));
     return true;
   }

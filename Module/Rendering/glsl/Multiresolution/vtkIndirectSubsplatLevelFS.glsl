@@ -1,9 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Illumination of a level near edges: evaluated at leaves, here or afterwards in blocks, and
-// interpolated if the level above is whole. Marks texels inside one surface.
+// interpolated if the level above is whole. Below the finest level that is split, texels without a
+// sample of the level above on their surface are evaluated here. Marks texels inside one surface.
 #include "vtkIndirectSubsplatTexel.glsl"
 #include "vtkIndirectSubsplatInterpolate.glsl"
+
+uniform bool vtkiSplits; // the level above is split
 
 void main()
 {
@@ -11,14 +14,14 @@ void main()
   vec4 surface = texelFetch(vtkiLevelSurface, texel, 0);
   bool covered = texelFetch(vtkiCoarserSurface, texel >> 1, 0).w == VTKI_SUBSPLAT_WHOLE;
   bool here = vtkiSubsplatIsSample(surface.w);
-  bool leaf = here && !covered;
   vec3 position = vtkiTexelPosition(texel, surface.z);
   vec3 normal = vtkiOctahedralDecode(surface.xy);
   vec3 irradiance;
   vec3 vectorIrradiance;
-  vtkiInterpolateSubsplat(texel,
-    vtkiMakeTangentPlane(position, normal, surface.xy, surface.z, vtkiCoarserEdge), true,
+  bool interpolated = vtkiInterpolateSubsplat(texel,
+    vtkiMakeTangentPlane(position, normal, surface.xy, surface.z, vtkiCoarserEdge), vtkiSplits,
     irradiance, vectorIrradiance);
+  bool leaf = here && (vtkiSplits ? !covered : !interpolated);
 #ifdef VTKI_EVALUATE
   vec3 evaluated;
   vec3 evaluatedVector;
