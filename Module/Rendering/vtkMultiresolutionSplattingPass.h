@@ -70,8 +70,8 @@ public:
   /**
    * The finest subsplats: pixels, or squares of two, four or eight pixels along an edge, which is
    * the paper's maximal refinement level of 1024, 512, 256 or 128 squared for a picture of 1024
-   * squared (section 3.3.1). Pixels that lie on no surface of the samples around them are evaluated on
-   * their own. Default FULL_RESOLUTION.
+   * squared (section 3.3.1). Pixels that lie on no surface of the samples around them are evaluated
+   * on their own. Default FULL_RESOLUTION.
    */
   vtkIndirectClampMacro(FinestLevel, int, FULL_RESOLUTION, EIGHTH_RESOLUTION);
   void SetFinestLevelToFullResolution() { this->SetFinestLevel(FULL_RESOLUTION); }
