@@ -10,8 +10,18 @@ from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 
 import support
 import vtkindirect
-from rooms import make_actor
-from vtkindirect import frames, images, methods, metrics, references, settings, sweep, wrapped
+from rooms import make_actor, make_ball, make_room
+from vtkindirect import (
+    frames,
+    images,
+    methods,
+    metrics,
+    references,
+    settings,
+    sweep,
+    windows,
+    wrapped,
+)
 
 PAGE = support.SOURCE / "Documentation" / "methods" / "radiance-hints.md"
 SWEEP = support.SOURCE / "Testing" / "Benchmark" / "hints.json"
@@ -59,6 +69,20 @@ class Hints(unittest.TestCase):
         self.assertGreater(three, 1.1 * one)
         vtkindirect.disable(loaded.renderer)
         window.Finalize()
+
+    def test_report_counts_props_smaller_than_a_cell(self) -> None:
+        # Cells have an edge of 2 / 16; the ball's bounds are 0.8 and 0.04 along an edge.
+        for radius, count in ((0.4, 0), (0.02, 1)):
+            with self.subTest(radius=radius):
+                renderer = make_room(make_actor(make_ball(radius)))
+                window = windows.render_window((32, 24), offscreen=True)
+                window.AddRenderer(renderer)
+                vtkindirect.enable(renderer, "hints", lighting="scene")
+                window.Render()
+                left_out = {e["what"]: e["why"] for e in vtkindirect.report(renderer)["left_out"]}
+                why = left_out.get("light of props smaller than a cell of the grid", "0 props")
+                self.assertEqual(int(why.split()[0]), count, left_out)
+                window.Finalize()
 
     def test_no_light_comes_through_the_outermost_surface(self) -> None:
         # Half a cylinder with a lamp on its axis, from outside: no other surface reflects light.

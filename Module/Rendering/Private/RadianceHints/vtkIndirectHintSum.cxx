@@ -29,6 +29,20 @@ const vtkIndirectChannels CoarseChannels = {
   { "hints.coarse", "vtkiCoarse", "irradiance at every InterpolationStep-th pixel, kind of cell",
     GL_RGBA32F, "-", "VTK irradiance" },
 };
+
+// Counts the props whose bounds are shorter along every axis than the longest edge of a cell.
+int CountSmallProps(const vtkIndirectFrame& frame, const vtkIndirectHintGrid::Region& region)
+{
+  const glm::dvec3 cell = (region.Upper - region.Lower) / glm::dvec3(region.Size);
+  const double longest = std::max({ cell.x, cell.y, cell.z });
+  return static_cast<int>(std::count_if(frame.Casters.begin(), frame.Casters.end(),
+    [&](const vtkIndirectCaster& caster)
+    {
+      const glm::dvec3 edges = frame.ToScene(vtkIndirectFrame::GetCorner(caster.Bounds, 7)) -
+        frame.ToScene(vtkIndirectFrame::GetCorner(caster.Bounds, 0));
+      return std::max({ edges.x, edges.y, edges.z }) < longest;
+    }));
+}
 }
 
 //------------------------------------------------------------------------------
@@ -175,6 +189,7 @@ bool vtkIndirectHintSum::UpdateGeometry(const Input& input)
   regions.HasFine = this->Set.Settings.NumberOfGrids > 1;
   regions.FineExtent = this->Set.Settings.FineGridExtent;
   settings.Regions = regions.Find(frame);
+  this->NumberOfSmallProps = CountSmallProps(frame, settings.Regions.back());
   settings.Masks = needs.Senders;
   settings.SkipEmpty = this->Set.Details->SkipEmptyCells;
   settings.Reach = this->Set.Details->NumberOfLookups > 1 ? 1.5 * std::sqrt(3.0) : 1.0;
@@ -362,6 +377,13 @@ void vtkIndirectHintSum::AddToReport(vtkIndirectReport& report) const
       "the grid is chosen for light from a quarter of its edge; nearer light is interpolated with "
       "a "
       "larger error, which is not estimated");
+  }
+  if (this->NumberOfSmallProps > 0)
+  {
+    report.LeftOut.emplace_back("light of props smaller than a cell of the grid",
+      std::to_string(this->NumberOfSmallProps) +
+        (this->NumberOfSmallProps == 1 ? " prop is" : " props are") +
+        "; light from them and on them is too dark");
   }
   if (this->NothingReflects)
   {

@@ -71,6 +71,7 @@ private:
     "vtkIndirectHintPixelFS.glsl" };
   const std::shared_ptr<vtkIndirectHintSenders> Senders;
   vtkIndirectKey LightKey;
+  int NumberOfSmallProps = 0;    // smaller than a cell of the last frame's grid
   bool NothingReflects = false;  // bounces after the first have no surface
   double Tolerance = 0.0;        // that the last frame was asked for and the grid was chosen by
   long long NumberOfUpdates = 0; // of the hints' light, since construction
