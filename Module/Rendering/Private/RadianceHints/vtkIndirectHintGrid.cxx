@@ -37,8 +37,7 @@ vtkIndirectHintGrid::~vtkIndirectHintGrid() = default;
 //------------------------------------------------------------------------------
 glm::dvec3 vtkIndirectHintGrid::GetCell(int grid) const
 {
-  const Region& region = this->Current.Regions[grid];
-  return (region.Upper - region.Lower) / glm::dvec3(region.Size);
+  return this->Current.Regions[grid].GetCell();
 }
 
 //------------------------------------------------------------------------------

@@ -35,6 +35,8 @@ public:
     glm::dvec3 Lower{ 0.0 };
     glm::dvec3 Upper{ 0.0 };
     glm::ivec3 Size{ 1 };
+    /** The edges of a cell, scene units. */
+    glm::dvec3 GetCell() const { return (this->Upper - this->Lower) / glm::dvec3(this->Size); }
     bool operator==(const Region& other) const
     {
       return this->Lower == other.Lower && this->Upper == other.Upper && this->Size == other.Size;

@@ -33,7 +33,7 @@ const vtkIndirectChannels CoarseChannels = {
 // Counts the props whose bounds are shorter along every axis than the longest edge of a cell.
 int CountSmallProps(const vtkIndirectFrame& frame, const vtkIndirectHintGrid::Region& region)
 {
-  const glm::dvec3 cell = (region.Upper - region.Lower) / glm::dvec3(region.Size);
+  const glm::dvec3 cell = region.GetCell();
   const double longest = std::max({ cell.x, cell.y, cell.z });
   return static_cast<int>(std::count_if(frame.Casters.begin(), frame.Casters.end(),
     [&](const vtkIndirectCaster& caster)
