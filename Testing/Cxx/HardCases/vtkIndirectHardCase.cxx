@@ -242,11 +242,11 @@ void HardCase::CheckUserChoices(int numberOfMaps)
   static size_t scenes = 0;
   const size_t turn = scenes++;
   const std::vector<UserChoice>& choices = GetUserChoices();
+  const size_t turns = (choices.size() + Further - 1) / Further;
   for (size_t i = 0; i < choices.size(); ++i)
   {
     const UserChoice& choice = choices[i];
-    if ((numberOfMaps == 0 && choice.NeedsMaps) ||
-      (turn > 0 && i / Further != turn % (choices.size() / Further)))
+    if ((numberOfMaps == 0 && choice.NeedsMaps) || (turn > 0 && i / Further != turn % turns))
     {
       continue;
     }
