@@ -10,7 +10,7 @@ from vtkmodules.vtkFiltersSources import (
     vtkPlaneSource,
     vtkSphereSource,
 )
-from vtkmodules.vtkRenderingCore import vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkLight, vtkRenderer
 
 import support  # noqa: F401
 import vtkindirect
@@ -41,8 +41,11 @@ def bodies() -> dict[str, vtkAlgorithm]:
 
 
 class ClosedBodies(unittest.TestCase):
-    def look_inside(self, body: vtkAlgorithm, method: str) -> vtkRenderer:
-        """Before a camera in a body, over a floor and before a wall under a uniform sky."""
+    def look_inside(
+        self, body: vtkAlgorithm, method: str, sun: bool = False, **settings: object
+    ) -> vtkRenderer:
+        """Before a camera in a body, over a floor and before a wall, under a sun or else under a
+        uniform sky."""
         renderer = vtkRenderer()
         renderer.AutomaticLightCreationOff()
         for point2 in ((-2, 0, -2), (-2, 3, -2)):
@@ -60,10 +63,26 @@ class ClosedBodies(unittest.TestCase):
         window = vtkindirect.render_window((120, 90), offscreen=True)
         window.AddRenderer(renderer)
         self.addCleanup(window.Finalize)
-        vtkindirect.enable(renderer, method, lighting="scene", environment=(1, 1, 1))
+        if sun:
+            light = vtkLight()
+            light.SetLightTypeToSceneLight()
+            light.SetPosition(2, 3, 3)
+            renderer.AddLight(light)
+        else:
+            settings["environment"] = (1, 1, 1)
+        vtkindirect.enable(renderer, method, lighting="scene", **settings)
         for _ in range(3):
             window.Render()
         return renderer
+
+    def test_few_pixels_beside_creases_see_lights_outside(self) -> None:
+        # 59 of 10,800 pixels; 190 by walls that pass for the receiver's plane within a map's bias.
+        renderer = self.look_inside(
+            bodies()["box"], "gather", sun=True, sampler="uniform", number_of_bounces=1
+        )
+        bright = int((vtkindirect.copy_buffer(renderer, "bounce").max(-1) > 0.05).sum())
+        print(f"box under a sun: {bright} pixels above 0.05, at most 100")
+        self.assertLess(bright, 100)
 
     def test_it_is_dark_in_closed_bodies(self) -> None:
         for name, body in bodies().items():

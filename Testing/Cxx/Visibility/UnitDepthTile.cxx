@@ -82,18 +82,19 @@ VTK_INDIRECT_TEST(DepthTilePlanes)
     const glm::dvec3 n = random.NextDirection();
     const glm::dvec3 ray(random.Next(-3.0, 3.0), random.Next(-3.0, 3.0), 1.0);
     const double bias = random.Next(0.0, 0.02);
+    const double least = bias * (i % 2 == 0 ? 1.0 : VTKI_TILE_LEAST_BIAS);
     const double stored = random.Next(0.01, 1.0);
     const double facing = glm::dot(n, p);
     const double along = glm::dot(n, ray);
     const bool plane = facing < 0.0 && along < 0.0;
     const double onPlane = plane ? facing / along : 0.0;
     const double nearer = bias * std::max(p.z, plane ? std::min(p.z / -along, 2.0 * onPlane) : 0.0);
-    const double mine = std::min((1.0 - bias) * p.z, plane ? onPlane - nearer : p.z);
+    const double mine = std::min((1.0 - least) * p.z, plane ? onPlane - nearer : p.z);
     const bool expected = p.z <= VTKI_TILE_NEAR || stored >= mine;
     ++counts[plane ? 1 : 0][expected ? 1 : 0];
-    const bool found =
-      vtkiIsSeenInPerspectiveTile(static_cast<float>(1.0 / stored), static_cast<float>(p.z),
-        static_cast<float>(facing), static_cast<float>(along), static_cast<float>(bias));
+    const bool found = vtkiIsSeenInPerspectiveTile(static_cast<float>(1.0 / stored),
+      static_cast<float>(p.z), static_cast<float>(facing), static_cast<float>(along),
+      static_cast<float>(bias), static_cast<float>(least));
     // Values that a float may round to either side do not count.
     wrong += found != expected && std::abs(stored - mine) > 1e-5 && std::abs(facing) > 1e-5 &&
         std::abs(along) > 1e-5
@@ -357,8 +358,9 @@ VTK_INDIRECT_TEST(DepthTileSeesIntoCreases)
     const auto byOne =
       static_cast<float>(steps * (inverse(ray + texel * glm::dvec3(step, 0.0)) - stored));
     const bool meetsAtOne = vtkiMeetsInPerspectiveTile(stored, depth, byOne);
+    const auto bias = static_cast<float>(VTKI_TILE_ROUGHNESS * texel);
     const bool seen = vtkiIsSeenInPerspectiveTile(stored, depth, static_cast<float>(-height[0]),
-      static_cast<float>(glm::dot(floor, ray)), static_cast<float>(VTKI_TILE_ROUGHNESS * texel));
+      static_cast<float>(glm::dot(floor, ray)), bias, VTKI_TILE_LEAST_BIAS * bias);
     lost[0] += seen ? 0 : 1;
     lost[1] += seen || meets ? 0 : 1;
     lost[2] += seen || meetsAtOne ? 0 : 1;

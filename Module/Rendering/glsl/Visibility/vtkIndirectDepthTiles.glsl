@@ -61,8 +61,13 @@ bool vtkiIsSeenInView(
   float along = dot(view.normal.xy, ray) + view.normal.z;
   float bias = VTKI_TILE_ROUGHNESS * max(tangents.x * perHalf.x, tangents.y * perHalf.y);
   float facing = dot(view.normal, view.away);
+#ifdef VTKI_ONE_TEXEL
+  float least = bias;
+#else
+  float least = VTKI_TILE_LEAST_BIAS * bias;
+#endif
   bool onSurface = stored >= 1.0f ||
-    vtkiIsSeenInPerspectiveTile(inverse, view.away.z, facing, along, bias);
+    vtkiIsSeenInPerspectiveTile(inverse, view.away.z, facing, along, bias, least);
 #ifndef VTKI_ONE_TEXEL
   vec2 offset = at - place * halfSize;
   vec2 lowest = 0.5f - halfSize;

@@ -84,22 +84,27 @@ vec2 vtkiPlaceOfView(int strip, float texels)
     : vec2(0.5f * column * texels, (0.5f * VTKI_TILE_STRIPS * row - VTKI_TILE_STRIPS - 0.5f) * texels);
 }
 
+// Share of the bias by which a surface may stand before the receiver on the receiver's own ray where
+// further texels tell a crease from an occluder: the whole bias lets light through walls beside the
+// creases of closed bodies.
+const float VTKI_TILE_LEAST_BIAS = 0.5f;
+
 /* True if a perspective tile shows the receiver from its light: compares the depth stored at a
  * texel's centre with the depth of the receiver's own plane there. inverse: one over the stored
  * depth; depth: the receiver's along the view's axis; facing: product of the receiver's normal and
  * the vector from the light to it; along: product of the normal and the vector to depth one on
  * the texel's ray; bias: share of the depth by which the plane is moved nearer. At grazing angles
  * the bias is along the normal, since a surface that fills a texel bends away from the plane by as
- * much, but along the ray at most twice as much. The plane counts only where it comes nearer: a
+ * much, but along the ray at most twice as much. least: share of the depth by which the receiver
+ * itself is moved nearer, up to the bias. The plane counts only where it comes nearer: a
  * plane that recedes from the light does not extend behind the end of the surface. Needs no
  * division. */
 bool vtkiIsSeenInPerspectiveTile(
-  float inverse, float depth, float facing, float along, float bias)
+  float inverse, float depth, float facing, float along, float bias, float least)
 {
-  float least = (1.0f - bias) * depth;
   float nearer = bias * max(-depth * along, min(depth, -2.0f * facing));
   bool onPlane = facing < 0.0f && along <= (facing + nearer) * inverse;
-  return depth <= VTKI_TILE_NEAR || least * inverse <= 1.0f || onPlane;
+  return depth <= VTKI_TILE_NEAR || (1.0f - least) * depth * inverse <= 1.0f || onPlane;
 }
 
 /* True if the receiver's surface ends before the texel's centre, as beyond the rim of a closed body
