@@ -131,6 +131,25 @@ def thresholds() -> list[list[Panel]]:
     return rows
 
 
+def form_factors() -> list[list[Panel]]:
+    """Equation 1: lights as patches and as points, beside path tracing."""
+    rows = []
+    for name in ("contact_corner", "cornell_box"):
+        size = size_of(name)
+
+        def one(name: str = name, size: tuple[int, int] = size, **settings: Any) -> np.ndarray:
+            return render(
+                name, "multiresolution", "irradiance", size=size, preset="paper", **settings
+            )
+
+        rows.append(compare([
+            (f"{name}: patches", one()),
+            ("points, equation 1", one(FormFactor="point")),
+            ("path traced, one bounce", stored(name, "R2")),
+        ]))  # fmt: skip
+    return rows
+
+
 # Papaioannou 2011, radiance hints -----------------------------------------------------------------
 
 
@@ -269,6 +288,7 @@ FIGURES: dict[str, Callable[[], list[list[Panel]]]] = {
     "multiresolution_1": subsplats,
     "multiresolution_2": map_channels,
     "multiresolution_9": thresholds,
+    "multiresolution_equation_1": form_factors,
     "hints_1_9": hint_scenes,
     "hints_3": hint_orders,
     "hints_5_7": hint_depth,

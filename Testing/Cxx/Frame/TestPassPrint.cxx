@@ -119,6 +119,7 @@ VTK_INDIRECT_TEST(PrintSettings)
   CheckLine(splatting, "MethodName: multiresolution", true);
   CHECK_PRINT(splatting, Preset, 1, "Paper");
   CHECK_PRINT(splatting, FinestLevel, 1, "HalfResolution");
+  CHECK_PRINT(splatting, FormFactor, 1, "Point");
   CHECK_PRINT(splatting, PlaneThreshold, 0.75, "0.75");
   CHECK_PRINT(splatting, DepthThreshold, 0.5, "0.5");
   CHECK_PRINT(splatting, NormalThreshold, 0.375, "0.375");

@@ -5,6 +5,7 @@
 #include "vtkIndirectRandomFrame.h"
 
 #include "vtkActor.h"
+#include "vtkMath.h"
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkUniformLightSampler.h"
 
@@ -294,6 +295,48 @@ VTK_INDIRECT_TEST(Balance)
   CheckAtLeast("frames in which it matters", differ, 8, "the test's own power");
   CheckAtMost("RMSE with balance over that without, geometric mean", std::exp(logarithm / count),
     0.7, "measured 0.41; it only splits what would not be");
+}
+
+VTK_INDIRECT_TEST(PointFormFactor)
+{
+  // Equation (1) of the paper, in doubles, where a floor meets a lit wall.
+  MultiresolutionScene scene(120, 90);
+  scene.AddQuad({ -1, 0, -1 }, { -1, 0, 1 }, { 1, 0, -1 }, { 0.5, 0.5, 0.5 });
+  scene.AddQuad({ -1, 0, -1 }, { 1, 0, -1 }, { -1, 1, -1 }, { 0.75, 0.75, 0.5 });
+  scene.AddSpot({ 0, 0.5, 1 }, { 0, 0.3, -1 }, 25, 1, { 1, 0, 0 });
+  scene.SetEye({ 0, 1.2, 1.5 }, { 0, 0.1, -0.8 }, { 0, 1, 0 }, 40, 0.1, 5);
+  scene.Sampler->SetNumberOfLights(64);
+  scene.ScaleThresholds(0.0);
+  const Image patch = scene.Splat();
+  scene.Splatting->SetFormFactorToPoint();
+  const Image image = scene.Splat();
+  const std::vector<VirtualLight> lights = scene.CopyLights();
+  const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+  double worst = 0.0;
+  double brighter = 0.0;
+  int lit = 0;
+  for (size_t i = 0; i < receivers.size(); ++i)
+  {
+    double expected = 0.0;
+    for (const VirtualLight& light : lights)
+    {
+      const glm::dvec3 d = light.Position - receivers[i].Position;
+      const double r2 = glm::dot(d, d);
+      const double cosines = std::max(0.0, -glm::dot(light.Normal, d)) *
+        std::max(0.0, glm::dot(receivers[i].Normal, d)) / r2;
+      expected += light.DensityArea.r * cosines / std::max(vtkMath::Pi() * r2, light.Area / 1024.0);
+    }
+    if (receivers[i].Lit && expected > 1e-2 * patch.Mean())
+    {
+      ++lit;
+      worst = std::max(worst, std::abs(image.Values[3 * i] / expected - 1.0));
+      brighter = std::max(brighter, image.Values[3 * i] / double(patch.Values[3 * i]));
+    }
+  }
+  CheckAtLeast("lit receivers", lit, 4000, "the test's own power");
+  CheckAtLeast("largest irradiance over that of patches", brighter, 1.5, "the test's own power");
+  CheckAtMost("difference to the sum of points, worst", worst, 3e-3,
+    "half floats, and positions of pixels in floats");
 }
 
 VTK_INDIRECT_TEST(SurfaceDetail)

@@ -285,6 +285,35 @@ VTK_INDIRECT_TEST(PatchIsSecondOrder)
     "1 / 16 were it of fourth order alone");
 }
 
+VTK_INDIRECT_TEST(PointLimits)
+{
+  Random random(15);
+  int bad = 0;
+  double far = 0.0;
+  for (int i = 0; i < 200000; ++i)
+  {
+    const vec3 d = vec3(random.NextDirection() * random.NextMagnitude(1e-6, 1e3));
+    const auto area = static_cast<float>(random.NextMagnitude(1e-12, 1e3));
+    const vec3 s = vec3(random.NextDirection());
+    const vec3 r = vec3(random.NextDirection());
+    const double w = double(vtkiPointLightStrength(d, s, r, area)) * std::max(glm::dot(r, d), 0.0f);
+    bad += !std::isfinite(w) || w < 0.0;
+    const double length = glm::length(glm::dvec3(d));
+    const double cosS = -glm::dot(glm::dvec3(s), glm::dvec3(d)) / length;
+    const double cosR = glm::dot(glm::dvec3(r), glm::dvec3(d)) / length;
+    if (cosS > 0.05 && cosR > 0.05)
+    {
+      const double expected =
+        cosS * cosR / std::max(vtkMath::Pi() * length * length, area / 1024.0);
+      far = std::max(far, std::abs(w / expected - 1.0));
+    }
+  }
+  CheckEqual("weights that are not finite or negative", bad, 0);
+  CheckAtMost("worst relative error against double precision", far, 4e-3,
+    "the mean of normals within rounding of one length spreads the cosine by 1.2e-2");
+  CheckEqual("in one place", vtkiPointLightStrength(vec3(0.0f), -Up, Up, 0.0f), 0.0);
+}
+
 VTK_INDIRECT_TEST(PatchLimits)
 {
   Random random(14);

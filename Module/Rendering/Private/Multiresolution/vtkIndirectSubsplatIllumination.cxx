@@ -84,7 +84,8 @@ bool vtkIndirectSubsplatIllumination::IsBelowFinest(const Work& work)
 void vtkIndirectSubsplatIllumination::Define(const Work& work)
 {
   const Settings& settings = work.Set;
-  const std::string lights = work.Lights.GetDefinitions() + work.In.Visibility.GetDefinitions();
+  const std::string lights = work.Lights.GetDefinitions() + work.In.Visibility.GetDefinitions() +
+    (settings.PointFormFactor ? "#define VTKI_POINT_FORM_FACTOR\n" : "");
   const std::string detail = settings.SurfaceDetail > 0.0 ? "#define VTKI_SURFACE_DETAIL\n" : "";
   const std::string evaluate = "#define VTKI_EVALUATE\n";
   const std::string images = std::string("#define VTKI_FORMAT ") +

@@ -22,6 +22,7 @@ class vtkIndirectLightBlock;
 struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
 {
   int FinestLevel = 0; // no texel of this level or a finer one is split; level 0 is pixels
+  bool PointFormFactor = false; // of lights at diffuse receivers, see vtkiPointLightStrength
   double PlaneThreshold = 0.0;
   double DepthThreshold = 0.0;
   double NormalThreshold = 0.0;

@@ -24,6 +24,9 @@ constexpr double LobeTolerance = 0.05;
 const char* const FinestLevels[] = { "FullResolution", "HalfResolution", "QuarterResolution",
   "EighthResolution" };
 
+// The names of vtkMultiresolutionSplattingPass::FormFactorType.
+const char* const FormFactors[] = { "Patch", "Point" };
+
 const vtkIndirectChannels BatchChannels = {
   { "subsplat.batch", "vtkiBatch", "irradiance from some of the lights", GL_RGBA32F, "-",
     "VTK irradiance" },
@@ -58,6 +61,7 @@ void vtkIndirectSubsplatSum::AddSettings(
   const double tolerance = plan ? plan->EstimatorErrorTolerance : 0.0;
   this->vtkIndirectSum::AddSettings(list, plan);
   list.Add("FinestLevel", Choice{ FinestLevels[set.FinestLevel] })
+    .Add("FormFactor", Choice{ FormFactors[set.FormFactor] })
     .Add("DepthThreshold", set.DepthThreshold.Scale(tolerance))
     .Add("PlaneThreshold", set.PlaneThreshold.Scale(tolerance))
     .Add("NormalThreshold", set.NormalThreshold.Scale(tolerance))
@@ -112,6 +116,8 @@ vtkIndirectSubsplatSettings vtkIndirectSubsplatSum::MakeSettings(const Input& in
   vtkIndirectSubsplatSettings settings;
   static_cast<vtkIndirectSubsplatDetails&>(settings) = details;
   settings.FinestLevel = this->Set.Settings.FinestLevel;
+  settings.PointFormFactor =
+    this->Set.Settings.FormFactor == vtkMultiresolutionSplattingPass::POINT;
   settings.SurfaceDetail = this->Set.Settings.SurfaceDetail;
   const double tolerance = input.Plan.EstimatorErrorTolerance;
   settings.PlaneThreshold = this->Set.Settings.PlaneThreshold.Scale(tolerance);

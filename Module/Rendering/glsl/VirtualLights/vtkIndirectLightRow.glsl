@@ -22,10 +22,13 @@ float vtkiSoftening(float childDistance, float area)
 
 // Light that arrives from a virtual light: times the receiver's cosine and the density it is the
 // irradiance; see vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) represent
-// patches of surfaces.
+// patches of surfaces. VTKI_POINT_FORM_FACTOR: all lights are points.
 vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float softening)
 {
-#ifdef VTKI_DIVIDED
+#ifdef VTKI_POINT_FORM_FACTOR
+  vtkiPatchLight light =
+    vtkiPatchLight(toSender, vtkiPointLightStrength(toSender, senderNormal.xyz, normal, area));
+#elif defined(VTKI_DIVIDED)
   vtkiPatchLight light = vtkiFindPatchLight(toSender, senderNormal.xyz, normal, area, softening);
 #else
   vtkiPatchLight light = vtkiPatchLight(toSender, vtkiVirtualLightStrength(toSender, senderNormal.xyz, area));

@@ -70,6 +70,17 @@ float vtkiMeanLightStrength(vec3 toSender, vec3 normalS, vec3 normalR, float are
   return denominator > 0.0f ? vtkiMeanOfSpread(-dot(normalS, toSender), halfWidth) / denominator : 0.0f;
 }
 
+/* vtkiMeanLightStrength of a point in place of a disk: cosS / (pi r^2) over r (Nichols and Wyman
+ * 2009, equation 1). Bias >= 0 where r^2 < A. Nearer than sqrt(A / (1024 pi)) the distance counts as
+ * that, so that images remain finite. */
+float vtkiPointLightStrength(vec3 toSender, vec3 normalS, vec3 normalR, float area)
+{
+  float r2 = dot(toSender, toSender);
+  float halfWidth = vtkiShareOfSpread(normalS, normalR) * sqrt(vtkiSpreadOfNormals(normalS) * r2);
+  float denominator = r2 * max(VTKI_PI * r2, area * (1.0f / 1024.0f));
+  return denominator > 0.0f ? vtkiMeanOfSpread(-dot(normalS, toSender), halfWidth) / denominator : 0.0f;
+}
+
 /* Bound of the factor by which a patch's light rises near its plane. Receivers that face a flat
  * patch get at most 9.8. */
 const float VTKI_PATCH_RISE = 16.0f;
