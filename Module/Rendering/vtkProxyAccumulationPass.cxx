@@ -125,6 +125,7 @@ void vtkProxyAccumulationPass::ApplyPreset()
     this->Settings.IndirectInfluenceScale = 4.0;
     this->Settings.IndirectLight = AVERAGED;
     this->Settings.ReceiverStep = 4;
+    this->Settings.Upsampling = BILATERAL;
   }
 }
 
@@ -140,8 +141,10 @@ void vtkProxyAccumulationPass::PrintSelf(ostream& os, vtkIndent indent)
 void ProxySum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
 {
   static const char* const levels[] = { "Off", "Middle", "Averaged", "Shadowed", "Exact" };
+  static const char* const upsampling[] = { "Planes", "Bilateral", "Bilinear" };
   this->vtkIndirectSum::AddSettings(list, plan);
   list.Add("ReceiverStep", plan ? this->Step : this->Set.GetReceiverStep())
+    .Add("Upsampling", vtkIndirectSettingList::Choice{ upsampling[this->Set.GetUpsampling()] })
     .Add("Groups", this->Set.GetGroups())
     .Add("GroupAngle", this->Set.GetGroupAngle())
     .Add("InfluenceScale", plan ? this->Hides : this->Set.GetInfluenceScale())
@@ -339,6 +342,7 @@ bool ProxySum::Sum(const Input& input)
     this->StepBySpheres.Forget();
   }
   sums.Step = this->Step;
+  sums.Upsampling = this->Set.GetUpsampling();
   sums.Hides = input.Plan.SkyIsShadowed;
   sums.Middle = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::MIDDLE;
   sums.Exact = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::EXACT;

@@ -32,7 +32,7 @@
  *
  * The preset PAPER (SetPreset) has the paper's choices in place of these: no groups, radii of 15
  * and 4 within which spheres hide and send light, AVERAGED light of spheres, and a receiver for
- * every sixteenth pixel.
+ * every sixteenth pixel with BILATERAL upsampling.
  *
  * Approximations: order 4 blurs shadows (either sign). Spheres behind each other within reach of
  * GroupAngle hide twice (too dark). Ten or more spheres around a receiver hide too little (too
@@ -118,6 +118,26 @@ public:
   virtual double GetIndirectInfluenceScale() const { return this->Settings.IndirectInfluenceScale; }
   ///@}
 
+  enum UpsamplingType
+  {
+    PLANES = 0,
+    BILATERAL = 1,
+    BILINEAR = 2
+  };
+
+  ///@{
+  /**
+   * What pixels between receivers interpolate. PLANES: light by direction, from receivers whose
+   * planes and normals agree, so that pixels use their own normal. BILATERAL: irradiance, weighted
+   * by the power 32 of the normals' cosine and by the difference of depths (Eq 11). BILINEAR:
+   * irradiance of all receivers around, which draws fringes along edges (Figure 7). Default PLANES.
+   */
+  vtkIndirectClampMacro(Upsampling, int, PLANES, BILINEAR);
+  void SetUpsamplingToPlanes() { this->SetUpsampling(PLANES); }
+  void SetUpsamplingToBilateral() { this->SetUpsampling(BILATERAL); }
+  void SetUpsamplingToBilinear() { this->SetUpsampling(BILINEAR); }
+  ///@}
+
   enum IndirectLightType
   {
     OFF = 0,
@@ -181,6 +201,7 @@ private:
   struct SettingsType
   {
     int ReceiverStep = 0;
+    int Upsampling = PLANES;
     bool Groups = true;
     double GroupAngle = 0.4;
     double InfluenceScale = 0.0;

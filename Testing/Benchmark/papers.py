@@ -267,9 +267,12 @@ def receivers() -> list[list[Panel]]:
     for name in ("sky_protein", "sky_frog"):
         size = size_of(name)
         panels = [
-            (f"{name}: 1 / {step * step} receivers",
-             render(name, "proxies", "sky", size=size, preset="paper", ReceiverStep=step))
-            for step in (1, 4, 8)
+            (f"{name}: 1 / {step * step} {upsampling}",
+             render(name, "proxies", "sky", size=size, preset="paper", ReceiverStep=step,
+                    Upsampling=upsampling))
+            for step, upsampling in (
+                (1, "bilateral"), (4, "bilateral"), (4, "bilinear"), (8, "bilateral")
+            )
         ]  # fmt: skip
         rows.append(compare([*panels, ("path traced", stored(name, "S1"))]))
     return rows

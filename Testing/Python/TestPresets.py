@@ -29,7 +29,7 @@ SINGLE = {
     "proxies": (
         None,
         {"Groups": False, "InfluenceScale": 15.0, "IndirectInfluenceScale": 4.0,
-         "IndirectLight": "averaged", "ReceiverStep": 4},
+         "IndirectLight": "averaged", "ReceiverStep": 4, "Upsampling": "bilateral"},
     ),
 }  # fmt: skip
 

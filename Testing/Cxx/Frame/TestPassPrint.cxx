@@ -7,6 +7,7 @@
 #include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkOpaquePass.h"
+#include "vtkProxyAccumulationPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRSMReferencePass.h"
 #include "vtkRadianceHintsPass.h"
@@ -124,6 +125,9 @@ VTK_INDIRECT_TEST(PrintSettings)
   CHECK_PRINT(splatting, DepthThreshold, 0.5, "0.5");
   CHECK_PRINT(splatting, NormalThreshold, 0.375, "0.375");
   CHECK_PRINT(splatting, SurfaceDetail, 0.5, "0.5");
+
+  vtkNew<vtkProxyAccumulationPass> proxies;
+  CHECK_PRINT(proxies, Upsampling, 2, "Bilinear");
 
   vtkNew<vtkRadianceHintsPass> hints;
   CheckLine(hints, "MethodName: hints", true);

@@ -4,6 +4,7 @@
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"
+#include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkEnvironmentLight.h"
@@ -194,9 +195,10 @@ VTK_INDIRECT_TEST(ProxiesChoicesAreTheSame)
           "the same; the side on which a sender is open may turn");
         continue;
       }
-      const char* const why = "pixels that no receiver serves share some in tiles, and are summed "
-                              "by themselves in rectangles; more of them since no receiver serves a "
-                              "normal 46 degrees from its own: 0.018 and 0.031 measured";
+      const char* const why =
+        "pixels that no receiver serves share some in tiles, and are summed "
+        "by themselves in rectangles; more of them since no receiver serves a "
+        "normal 46 degrees from its own: 0.018 and 0.031 measured";
       CheckAtMost(
         name + ": pixels whose sky differs", ShareThatDiffers(sky[0], sky[1], 2e-3), 0.02, why);
       CheckAtMost(name + ": sky, RMS", FindRelativeError(sky[0], sky[1], normal), 0.035, why);
@@ -224,6 +226,85 @@ VTK_INDIRECT_TEST(ProxiesFewerReceivers)
       "spheres of 3 to 7 pixels; 0.017, 0.032 and 0.050 measured");
     CheckEqual("the step in force", scene.Proxies->GetActiveReceiverStep(), 2 << i);
   }
+}
+
+VTK_INDIRECT_TEST(ProxiesUpsampling)
+{
+  // Equation (11) and bilinear upsampling in doubles, from a receiver at every pixel.
+  constexpr int step = 4;
+  ProxyScene scene(1.0, 144);
+  scene.SetBalls(MakeCluster(40, 1.0));
+  scene.Proxies->SetPreset(vtkIndirectEstimatorPass::PAPER);
+  scene.Proxies->SetReceiverStep(1);
+  scene.Render();
+  const Image full = scene.Copy("sky");
+  const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  const double* place = camera->GetPosition();
+  const double* way = camera->GetDirectionOfProjection();
+  const glm::dvec3 eye(place[0], place[1], place[2]);
+  const glm::dvec3 forward(way[0], way[1], way[2]);
+  const double pixel =
+    2.0 * std::tan(0.5 * glm::radians(camera->GetViewAngle())) / full.Height; // at depth one
+  auto depth = [&](size_t i) { return glm::dot(receivers[i].Position - eye, forward); };
+  auto find = [&](int x, int y) { return static_cast<size_t>(y) * full.Width + x; };
+  scene.Proxies->SetReceiverStep(step);
+  Image found[2];
+  for (const int upsampling :
+    { vtkProxyAccumulationPass::BILATERAL, vtkProxyAccumulationPass::BILINEAR })
+  {
+    scene.Proxies->SetUpsampling(upsampling);
+    scene.Render();
+    const Image image = scene.Copy("sky");
+    const bool bilateral = upsampling == vtkProxyAccumulationPass::BILATERAL;
+    found[bilateral ? 0 : 1] = image;
+    double worst = 0.0;
+    int count = 0;
+    for (size_t i = 0; i < receivers.size(); ++i)
+    {
+      const int x = receivers[i].X;
+      const int y = receivers[i].Y;
+      const int column = x / step;
+      const int row = y / step;
+      if (!receivers[i].Lit || (column + 1) * step >= full.Width || (row + 1) * step >= full.Height)
+      {
+        continue;
+      }
+      double sum = 0.0;
+      double weights = 0.0;
+      for (int k = 0; k < 4; ++k)
+      {
+        const int right = k & 1;
+        const int above = k >> 1;
+        const size_t other = find((column + right) * step, (row + above) * step);
+        const double across = static_cast<double>(x % step) / step;
+        const double along = static_cast<double>(y % step) / step;
+        double weight = (right ? across : 1.0 - across) * (above ? along : 1.0 - along) + 1e-3;
+        if (bilateral)
+        {
+          const double width = step * pixel * depth(i);
+          const double same =
+            std::pow(std::max(glm::dot(receivers[i].Normal, receivers[other].Normal), 0.0), 32) *
+            width / (width + std::abs(depth(i) - depth(other)));
+          weight *= same > 0.05 ? same : 0.0;
+        }
+        weight = receivers[other].Lit ? weight : 0.0;
+        sum += weight * full.Values[3 * other];
+        weights += weight;
+      }
+      if (weights > 1e-2)
+      {
+        ++count;
+        worst = std::max(worst, std::abs(image.Values[3 * i] - sum / weights));
+      }
+    }
+    const std::string name = bilateral ? "bilateral: " : "bilinear: ";
+    CheckAtLeast(name + "pixels", count, 5000, "the test's own power");
+    CheckAtMost(name + "difference to the weighted mean, worst", worst, 2e-3,
+      "normals of 15 bits, to the power 32");
+  }
+  CheckAtLeast("difference between both", LargestDifference(found[0], found[1]), 0.1,
+    "the test's own power: fringes along edges");
 }
 
 VTK_INDIRECT_TEST(ProxiesSendLight)

@@ -349,8 +349,11 @@ bool vtkIndirectProxySums::SumBlended(
 bool vtkIndirectProxySums::Upsample(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {
+  const std::string upsampling = input.Upsampling > 0
+    ? "#define VTKI_UPSAMPLING " + std::to_string(input.Upsampling) + "\n"
+    : std::string();
   vtkIndirectProgram program = this->Upsampling.Use(
-    input.Frame.Window, definitions + vtkIndirectReceiverGrid::DefineStep(input.Step));
+    input.Frame.Window, definitions + upsampling + vtkIndirectReceiverGrid::DefineStep(input.Step));
   if (!program)
   {
     return false;

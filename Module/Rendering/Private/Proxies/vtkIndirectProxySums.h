@@ -30,6 +30,7 @@ public:
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
     int Step = 1;             // pixels from one receiver to the next
+    int Upsampling = 0;       // vtkProxyAccumulationPass::UpsamplingType
     bool Hides = true;        // false: the sky is unoccluded
     bool EyeIsInside = false; // a sphere contains the eye
     bool Middle = false;      // radiance of spheres at their middles
