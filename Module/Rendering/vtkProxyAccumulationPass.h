@@ -127,10 +127,11 @@ public:
 
   ///@{
   /**
-   * What pixels between receivers interpolate. PLANES: light by direction, from receivers whose
-   * planes and normals agree, so that pixels use their own normal. BILATERAL: irradiance, weighted
-   * by the power 32 of the normals' cosine and by the difference of depths (Eq 11). BILINEAR:
-   * irradiance of all receivers around, which draws fringes along edges (Figure 7). Default PLANES.
+   * Chooses what pixels between receivers interpolate. PLANES: light by direction, from receivers
+   * whose planes and normals agree, so that pixels use their own normal. BILATERAL: irradiance,
+   * weighted by the power 32 of the normals' cosine and by the difference of depths (Eq 11).
+   * BILINEAR: irradiance of all receivers around, which draws fringes along edges (Figure 7).
+   * Default PLANES.
    */
   vtkIndirectClampMacro(Upsampling, int, PLANES, BILINEAR);
   void SetUpsamplingToPlanes() { this->SetUpsampling(PLANES); }

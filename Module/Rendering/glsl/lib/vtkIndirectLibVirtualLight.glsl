@@ -61,13 +61,20 @@ float vtkiShareOfSpread(vec3 normalS, vec3 normalR)
   return min(max(1.0f + 2.0f * dot(normalS, normalR), 0.0f), 1.0f);
 }
 
+/* Strength of a light that represents surfaces with the mean normal normalS: their mean cosine over
+ * `spread`, the area over which the light spreads at the receiver. r2: square of toSender. */
+float vtkiMeanStrengthOver(vec3 toSender, vec3 normalS, vec3 normalR, float r2, float spread)
+{
+  float halfWidth = vtkiShareOfSpread(normalS, normalR) * sqrt(vtkiSpreadOfNormals(normalS) * r2);
+  float denominator = r2 * spread;
+  return denominator > 0.0f ? vtkiMeanOfSpread(-dot(normalS, toSender), halfWidth) / denominator : 0.0f;
+}
+
 /* vtkiVirtualLightStrength of a light that represents surfaces with the mean normal normalS. */
 float vtkiMeanLightStrength(vec3 toSender, vec3 normalS, vec3 normalR, float area)
 {
   float r2 = dot(toSender, toSender);
-  float halfWidth = vtkiShareOfSpread(normalS, normalR) * sqrt(vtkiSpreadOfNormals(normalS) * r2);
-  float denominator = r2 * (VTKI_PI * r2 + area);
-  return denominator > 0.0f ? vtkiMeanOfSpread(-dot(normalS, toSender), halfWidth) / denominator : 0.0f;
+  return vtkiMeanStrengthOver(toSender, normalS, normalR, r2, VTKI_PI * r2 + area);
 }
 
 /* vtkiMeanLightStrength of a point in place of a disk: cosS / (pi r^2) over r (Nichols and Wyman
@@ -76,9 +83,8 @@ float vtkiMeanLightStrength(vec3 toSender, vec3 normalS, vec3 normalR, float are
 float vtkiPointLightStrength(vec3 toSender, vec3 normalS, vec3 normalR, float area)
 {
   float r2 = dot(toSender, toSender);
-  float halfWidth = vtkiShareOfSpread(normalS, normalR) * sqrt(vtkiSpreadOfNormals(normalS) * r2);
-  float denominator = r2 * max(VTKI_PI * r2, area * (1.0f / 1024.0f));
-  return denominator > 0.0f ? vtkiMeanOfSpread(-dot(normalS, toSender), halfWidth) / denominator : 0.0f;
+  float spread = max(VTKI_PI * r2, area * (1.0f / 1024.0f));
+  return vtkiMeanStrengthOver(toSender, normalS, normalR, r2, spread);
 }
 
 /* Bound of the factor by which a patch's light rises near its plane. Receivers that face a flat
