@@ -40,6 +40,8 @@ void vtkAreaLight::PrintSelf(ostream& os, vtkIndent indent)
   print("Origin", this->Origin);
   print("Point1", this->Point1);
   print("Point2", this->Point2);
+  const char* const methods[] = { "Automatic", "ClosedForm", "VirtualLights" };
+  os << indent << "Method: " << methods[this->Settings.Method] << "\n";
   os << indent << "TwoSided: " << (this->Settings.TwoSided ? "On" : "Off") << "\n";
   os << indent << "Visible: " << (this->Settings.Visible ? "On" : "Off") << "\n";
   os << indent << "Switch: " << (this->Settings.Switch ? "On" : "Off") << "\n";

@@ -27,6 +27,7 @@
 #define vtkAreaLight_h
 
 #include "vtkIndirectEmitterBase.h"
+#include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
 
 #include <vector> // for the radiances
@@ -65,6 +66,29 @@ public:
    */
   vtkSetVector3Macro(Point2, double);
   vtkGetVector3Macro(Point2, double);
+  ///@}
+
+  enum MethodType
+  {
+    AUTOMATIC = 0,
+    CLOSED_FORM = 1,
+    VIRTUAL_LIGHTS = 2
+  };
+
+  ///@{
+  /**
+   * The way that its direct light is computed. CLOSED_FORM: Lambert's polygon and depth maps of
+   * points of the rectangle, in the buffer `area`. VIRTUAL_LIGHTS: the estimator sums pieces of the
+   * rectangle (vtkAreaLightSampler) as virtual lights, in the buffer `bounce`, and
+   * vtkIndirectIlluminationPass::Visibility hides them as any; estimators that take no virtual
+   * lights beside the lights' maps leave the closed form, and the report says so. AUTOMATIC: the
+   * closed form, or, with an estimator's preset PAPER that takes virtual lights, those of
+   * vtkAreaLightSampler::MIN_MAX. Default AUTOMATIC.
+   */
+  vtkIndirectClampMacro(Method, int, AUTOMATIC, VIRTUAL_LIGHTS);
+  void SetMethodToAutomatic() { this->SetMethod(AUTOMATIC); }
+  void SetMethodToClosedForm() { this->SetMethod(CLOSED_FORM); }
+  void SetMethodToVirtualLights() { this->SetMethod(VIRTUAL_LIGHTS); }
   ///@}
 
   ///@{
@@ -132,6 +156,7 @@ private:
 
   struct SettingsType
   {
+    int Method = AUTOMATIC;
     bool TwoSided = false;
     bool Visible = false;
     bool Switch = true;

@@ -3,18 +3,46 @@
 
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectKey.h"
+#include "Frame/vtkIndirectSettingList.h"
 #include "VirtualLights/vtkIndirectAreaClusters.h"
 #include "VirtualLights/vtkIndirectSampler.h"
+#include "VirtualLights/vtkIndirectSenderClusters.h"
 #include "vtkAreaLight.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <numeric>
 
 vtkStandardNewMacro(vtkAreaLightSampler);
 
 namespace
 {
+using Lights = std::vector<vtkIndirectAreaClusters::Light>;
+
+// Returns the irradiance (VTK units) at a distance, right before a rectangle.
+double FindIrradianceAt(const vtkIndirectAreaClusters::Image& image, double distance)
+{
+  const size_t values = 3 * static_cast<size_t>(image.Columns) * image.Rows;
+  const double mean = std::accumulate(image.Radiances, image.Radiances + values, 0.0) / values;
+  return mean * image.GetArea() / (glm::pi<double>() * distance * distance);
+}
+
+std::vector<vtkIndirectSampler::Row> MakeRows(const Lights& lights)
+{
+  std::vector<vtkIndirectSampler::Row> rows;
+  rows.reserve(lights.size());
+  for (const vtkIndirectAreaClusters::Light& light : lights)
+  {
+    rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
+      { light.Normal.x, light.Normal.y, light.Normal.z },
+      { light.RadianceArea.x, light.RadianceArea.y, light.RadianceArea.z }, light.ChildDistance,
+      light.ContactSoftening });
+  }
+  return rows;
+}
+
 class AreaLights : public vtkIndirectSampler
 {
 public:
@@ -23,7 +51,9 @@ public:
     , Set(settings)
   {
   }
+  void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   bool Update(const Input& input) override;
+  vtkIndirectSamplerAbilities GetAbilities() const override;
 
 protected:
   void ReleaseOwn(vtkWindow* window) override
@@ -89,6 +119,16 @@ void vtkAreaLightSampler::RemoveAllLights()
 }
 
 //------------------------------------------------------------------------------
+void vtkAreaLightSampler::SetLights(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights)
+{
+  if (this->Lights != lights)
+  {
+    this->Lights = lights;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkAreaLight* vtkAreaLightSampler::GetAreaLight(int index) const
 {
   return index >= 0 && index < this->GetNumberOfAreaLights()
@@ -105,6 +145,22 @@ vtkMTimeType vtkAreaLightSampler::GetMTime()
     time = std::max(time, light->GetMTime());
   }
   return time;
+}
+
+//------------------------------------------------------------------------------
+void AreaLights::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
+{
+  this->vtkIndirectSampler::AddSettings(list, plan);
+  const bool minMax = this->Set.GetClustering() == vtkAreaLightSampler::MIN_MAX;
+  list.Add("Clustering", vtkIndirectSettingList::Choice{ minMax ? "MinMax" : "Variance" });
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSamplerAbilities AreaLights::GetAbilities() const
+{
+  vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
+  abilities.Divides = this->Set.GetClustering() == vtkAreaLightSampler::VARIANCE;
+  return abilities;
 }
 
 //------------------------------------------------------------------------------
@@ -130,21 +186,31 @@ bool AreaLights::Update(const Input& input)
   }
   vtkIndirectKey key;
   key.Add("sampler", this->GetSettingsTime()).Add("number of lights", frame.Lights.size());
+  key.Add("error tolerance", input.ErrorTolerance);
   frame.AppendUnitsTo(key);
   if (key == this->MadeKey)
   {
     return true;
   }
   this->MadeKey.Clear();
-  std::vector<Row> rows;
-  for (const vtkIndirectAreaClusters::Light& light :
-    vtkIndirectAreaClusters::MakeLights(images, this->Set.GetNumberOfLights()))
+  const int count = this->Set.GetNumberOfLights();
+  vtkIndirectAreaClusters::LightTree tree;
+  if (this->Set.GetClustering() == vtkAreaLightSampler::MIN_MAX)
   {
-    rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
-      { light.Normal.x, light.Normal.y, light.Normal.z },
-      { light.RadianceArea.x, light.RadianceArea.y, light.RadianceArea.z } });
+    tree.Lights = vtkIndirectAreaClusters::MakeMinMaxLights(images, count);
   }
-  if (!this->Write(frame, rows))
+  else
+  {
+    // The error counts against the irradiance from all lights at half of the scene's size.
+    double usual = 0.0;
+    for (const vtkIndirectAreaClusters::Image& image : images)
+    {
+      usual += FindIrradianceAt(image, 0.5);
+    }
+    tree = vtkIndirectAreaClusters::MakeLights(
+      images, count, vtkIndirectSenderClusters::FindError(input.ErrorTolerance) * usual);
+  }
+  if (!this->Write(frame, MakeRows(tree.Lights), MakeRows(tree.Branches)))
   {
     return false;
   }

@@ -100,10 +100,11 @@ public:
   /**
    * Rectangles that send light, in addition to the renderer's lights. Their direct light is the
    * buffer `area`: Lambert's closed form at every pixel, times the share of the light that depth
-   * maps of some of its points see (Visibility none: all of it). Surfaces reflect it: the
-   * estimator sums virtual lights of the surfaces that four points of each light see, or one point
-   * if there are more than four lights (buffer `bounce`). Estimators that read the lights' maps
-   * themselves leave these out, and the report says so. Adding a light twice has no effect.
+   * maps of some of its points see (Visibility none: all of it). vtkAreaLight::Method chooses
+   * virtual lights instead. Surfaces reflect it: the estimator sums virtual lights of the surfaces
+   * that 16 points of a single light see, or four points of each of up to four lights, or one point
+   * of each of more (buffer `bounce`). Estimators that read the lights' maps themselves leave these
+   * out, and the report says so. Adding a light twice has no effect.
    */
   void AddAreaLight(vtkAreaLight* light);
   void RemoveAreaLight(vtkAreaLight* light);

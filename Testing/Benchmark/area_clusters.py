@@ -6,8 +6,9 @@ from Dynamic Area Lights" (Nichols and Wyman 2009).
     Testing/Benchmark/area_clusters.py [--lights N] [--dense N] FILE.png
 
 Rows: the window of area_apartment, and a slice through a brain. Left: evenly dense sampling, N by N
-lights. Right: those of vtkAreaLightSampler, which hold the same light; dots go with the area that a
-light stands for. What is printed is how far the sums are apart.
+lights. Middle: those of vtkAreaLightSampler by least and greatest luminance, as in the paper. Right:
+its default, by variance. All hold the same light, and dots go with the area that a light represents.
+The script prints by how much the sums differ.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ class Lights:
     powers: np.ndarray
 
 
-def find(image: vtkImageData, count: int) -> Lights:
+def find(image: vtkImageData, count: int, min_max: bool) -> Lights:
     """Return the lights of a rectangle of edge 1 that shows an image."""
     lamp = wrapped.get(area_lights.CLASS)()
     lamp.SetOrigin(0.0, 0.0, 1.0)
@@ -55,6 +56,7 @@ def find(image: vtkImageData, count: int) -> Lights:
     sampler = wrapped.get("vtkAreaLightSampler")()
     sampler.AddLight(lamp)
     sampler.SetNumberOfLights(count)
+    sampler.SetClustering(int(min_max))
     floor = vtkPlaneSource()
     mapper = vtkPolyDataMapper()
     mapper.SetInputConnection(floor.GetOutputPort())
@@ -142,14 +144,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
         "window": as_floats(environments.read_picture(WINDOW)),
         "brain": as_floats(slices.as_image(slices.slice_of("brain", *BRAIN))),
     }
-    figure, axes = pyplot.subplots(2, 2, figsize=(6.3, 6.7))
-    for (name, image), (left, right) in zip(pictures.items(), axes):
-        before, after = dense(image, options.dense), find(image, options.lights)
+    figure, axes = pyplot.subplots(2, 3, figsize=(9.4, 6.7))
+    for (name, image), (left, *others) in zip(pictures.items(), axes):
+        before = dense(image, options.dense)
         draw(left, image, before, f"{name}: {len(before.areas)} lights, evenly")
-        draw(right, image, after, f"{name}: {len(after.areas)} lights, clustered")
-        sums = before.powers.sum(axis=0), after.powers.sum(axis=0)
-        apart = np.abs(sums[1] - sums[0]).max() / sums[0].max()
-        print(f"{name}: {len(before.areas)} lights, {len(after.areas)} clusters; sums {apart:.1e} apart")
+        for axis, (how, min_max) in zip(others, (("least and greatest", True), ("variance", False))):
+            after = find(image, options.lights, min_max)
+            draw(axis, image, after, f"{name}: {len(after.areas)} lights, {how}")
+            sums = before.powers.sum(axis=0), after.powers.sum(axis=0)
+            apart = np.abs(sums[1] - sums[0]).max() / sums[0].max()
+            print(f"{name}: {len(after.areas)} lights by {how}; sums differ by {apart:.1e}")
     figure.tight_layout(pad=0.6)
     figure.savefig(options.file, dpi=110)
     pyplot.close(figure)

@@ -52,6 +52,49 @@ class Scenes(support.DirectoryTest):
         self.assertFalse(first.GetVisible())
         self.assertEqual(scene.lights, [])
 
+    def test_as_virtual_lights(self) -> None:
+        # Each method gives the same light; the report says which one was in force.
+        closed = self.irradiance_of({**LAMP, "method": "closed_form"}, "auto")[0]
+        # Bounds: disks for squares, and of subsplats the tolerance 0.02 of their interpolation.
+        for method, settings, lights, error in (
+            ("gather", {"InterpolationStep": 0}, 256, 0.002),
+            ("splatting", {"IntensityThreshold": 0}, 256, 0.002),
+            ("multiresolution", {}, 256, 0.02),
+            ("multiresolution", {"preset": "paper"}, 64, 0.03),
+        ):
+            with self.subTest(method=method, settings=settings):
+                paper = "preset" in settings
+                lamp = LAMP if paper else {**LAMP, "method": "virtual_lights"}
+                found, report = self.irradiance_of(lamp, method, **settings)
+                self.assertEqual(report["virtual_lights"], lights)
+                self.assertIn(
+                    "area lights as virtual lights", [e["what"] for e in report["modelled"]]
+                )
+                self.assertNotIn(
+                    "light of area lights", [e["what"] for e in report["modelled"]]
+                )
+                rms = np.sqrt(np.mean((found - closed) ** 2)) / closed.mean()
+                self.assertLess(rms, error)
+        # Spheres take no virtual lights; only a light that asks for them is worth a word.
+        for method, preset in (("proxies", "robust"), ("proxies", "paper")):
+            with self.subTest(method=method, preset=preset):
+                asked = {**LAMP, "method": "virtual_lights"} if preset == "robust" else LAMP
+                found, report = self.irradiance_of(asked, method, preset=preset)
+                self.assertTrue(np.allclose(found, closed, rtol=0.02, atol=1e-4))
+                left_out = [e["what"] for e in report["left_out"]]
+                self.assertEqual("area lights as virtual lights" in left_out, preset == "robust")
+
+    def irradiance_of(self, lamp: dict[str, Any], method: str, **settings: Any) -> Any:
+        """Return the irradiance of the floor under a lamp, without walls, and the report."""
+        scene = self.load(lamp)
+        window = scene.make_window()
+        vtkindirect.enable(scene, method, **settings)
+        window.Render()
+        found = images.copy_buffer(scene.renderer, "irradiance").astype(float)
+        report = vtkindirect.report(scene.renderer)
+        window.Finalize()
+        return found, report
+
     def test_visible(self) -> None:
         # Seen from below, the side that it sends light to.
         eye = {"position": [0, -1.5, 0.1], "focal_point": [0, 0, 1], "view_up": [0, 0, 1]}

@@ -80,23 +80,57 @@ VTK_INDIRECT_TEST(AreaLightByDefault)
     { 1e-3, 2e-3, "a share of one, bit for bit" });
 }
 
-// As virtual lights, the paper's method: pieces of a sixteenth of the edge.
+// As virtual lights, whose branches are a 64th of the edge: near the lamp as well. With the
+// estimator's preset PAPER they are squares of an eighth of the edge, and one of them is wrong
+// nearer than a few of its widths.
 VTK_INDIRECT_TEST(AreaLightAsVirtualLights)
 {
-  for (const double height : { 0.5, 1.0, 3.0 })
+  for (const double height : { 0.1, 0.5, 1.0, 3.0 })
   {
     LampScene scene(height);
-    scene.Pass->RemoveAllAreaLights();
-    vtkNew<vtkAreaLightSampler> sampler;
-    sampler->AddLight(scene.Lamp);
-    scene.Pass->AddSampler(sampler);
+    scene.Lamp->SetMethodToVirtualLights();
     CompareLight(
       scene, "bounce", Everywhere, [&](const auto& r) { return scene.Expect(r); },
       { 5e-3, 0.01, "disks for squares: A / (pi height^2) is 0.5 % at most, and half floats" },
       "at " + std::to_string(height));
     CheckEqual("pieces", scene.ReadReport("virtual_lights"), 256);
-    scene.Pass->RemoveSampler(sampler);
+    scene.Pass->SetEstimator(scene.Splatting);
+    CompareLight(
+      scene, "bounce", Everywhere, [&](const auto& r) { return scene.Expect(r); },
+      { 0.01, 0.02, "and interpolation at the tolerance of 0.02" },
+      "subsplats at " + std::to_string(height));
   }
+  LampScene scene(1.0);
+  scene.Splatting->SetPresetToPaper();
+  scene.Pass->SetEstimator(scene.Splatting);
+  CompareLight(
+    scene, "bounce", Everywhere, [&](const auto& r) { return scene.Expect(r); },
+    { 0.02, 0.05, "64 disks: A / (pi height^2) is 0.5 %; and the paper's interpolation" },
+    "preset");
+  CheckEqual("squares of one radiance", scene.ReadReport("virtual_lights"), 64);
+  scene.Lamp->SetMethodToClosedForm();
+  CompareLight(
+    scene, "area", Everywhere, [&](const auto& r) { return scene.Expect(r); },
+    { 1e-3, 2e-3, "depths and normals of the geometry buffer" }, "closed form");
+}
+
+// A sampler of the user's gives the same light.
+VTK_INDIRECT_TEST(AreaLightOfAFurtherSampler)
+{
+  LampScene scene(0.5);
+  scene.Pass->RemoveAllAreaLights();
+  vtkNew<vtkAreaLightSampler> sampler;
+  sampler->AddLight(scene.Lamp);
+  scene.Pass->AddSampler(sampler);
+  for (const bool minMax : { false, true })
+  {
+    sampler->SetClustering(minMax ? vtkAreaLightSampler::MIN_MAX : vtkAreaLightSampler::VARIANCE);
+    CompareLight(
+      scene, "bounce", Everywhere, [&](const auto& r) { return scene.Expect(r); },
+      { 0.02, 0.03, "64 disks: A / (pi height^2) is 2 %, and half floats" }, "sampler");
+    CheckEqual("pieces", scene.ReadReport("virtual_lights"), minMax ? 64 : 256);
+  }
+  scene.Pass->RemoveSampler(sampler);
 }
 
 // Occlusion by a straight edge: it hides a part of the lamp from each point of the floor, and the
@@ -164,6 +198,17 @@ VTK_INDIRECT_TEST(AreaLightWithAnImage)
     };
     CompareLight(scene, "area", Everywhere, expect,
       { 5e-3, 0.01, "the tolerance of 0.02 over eight; sums of 65536 points" }, image.first);
+    const std::string name(image.first);
+    scene.Lamp->SetMethodToVirtualLights();
+    CompareLight(scene, "bounce", Everywhere, expect, { 0.01, 0.02, "disks for squares" },
+      name + " as virtual lights");
+    scene.Lamp->SetMethodToAutomatic();
+    scene.Splatting->SetPresetToPaper();
+    scene.Splatting->SetDepthThreshold(0.0); // no interpolation
+    scene.Pass->SetEstimator(scene.Splatting);
+    CompareLight(scene, "bounce", Everywhere, expect,
+      { 0.01, 0.02, "squares of an eighth where radiances differ little" },
+      name + " by the preset");
   }
 }
 

@@ -4,6 +4,7 @@
 #include "VirtualLights/vtkIndirectEmitters.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 #include "VirtualLights/vtkIndirectSkyProjection.h"
+#include "vtkAreaLight.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectTestUtilities.h"
@@ -246,6 +247,38 @@ VTK_INDIRECT_TEST(ClustersStay)
     clusters.MakeLights({ glm::dvec3(1.0), glm::dvec3(1.0) }, 50, 0.0).Lights;
   Check("nothing depends on what was asked before",
     other.size() == 30 && AreAtSamePlaces(before, again));
+}
+
+// Bars before a lamp, along either edge, hide about the same share of its places as of its area.
+VTK_INDIRECT_TEST(PlacesOfALampBehindBars)
+{
+  vtkNew<vtkAreaLight> lamp;
+  for (const int count : { 1, 3, 5 })
+  {
+    vtkIndirectEmitters::List places;
+    vtkIndirectEmitters::AddAreaLights(
+      places, std::vector<vtkSmartPointer<vtkAreaLight>>(count, lamp.Get()), false);
+    const int each = count == 1 ? 16 : count == 3 ? 4 : 1;
+    CheckEqual("places", static_cast<double>(places.size()), count * each);
+    double worst = 0.0;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      for (double begin = -0.5; begin < 0.5; begin += 0.01)
+      {
+        for (double end = begin; end <= 0.5; end += 0.01)
+        {
+          const auto hidden = std::count_if(places.begin(), places.begin() + each,
+            [&](const vtkIndirectEmitter& place)
+            {
+              const double at = place.Light.PositionWC[axis];
+              return at > begin && at < end;
+            });
+          worst = std::max(worst, std::abs(1.0 * hidden / each - (end - begin)));
+        }
+      }
+    }
+    CheckAtMost("share", worst, 1.0 / each + 1e-9, "a place in the middle of each column and row");
+  }
 }
 
 VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)

@@ -52,6 +52,8 @@ def build(values: dict[str, Any]) -> Any:
     light.SetRadiance(values["radiance"])
     light.SetTwoSided(values["two_sided"])
     light.SetVisible(values["visible"])
+    methods = ("automatic", "closed_form", "virtual_lights")
+    light.SetMethod(methods.index(values["method"]))
     if "texture" in values:
         light.SetImage(environments.read_picture(values["texture"]))
     return light

@@ -83,7 +83,8 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
     plan.MapTexels *= 2;
   }
   const bool sent = !estimator.SumsSky &&
-    (plan.Senders != NO_SENDERS || plan.SkyBounces || plan.AreaLightsBounce || plan.OtherSamplers);
+    (plan.Senders != NO_SENDERS || plan.SkyBounces || plan.AreaLightsBounce ||
+      plan.VirtualAreaLights || plan.OtherSamplers);
   const bool sentBesides = plan.Sky && plan.SkySource != SKY_BY_MAPS;
   plan.WhyNoIrradiance = settings.IndirectScale == 0.0 ? "IndirectScale is 0"
     : sent || sentBesides                              ? ""
@@ -353,9 +354,20 @@ void vtkIndirectPlan::FindOtherLights(const vtkIndirectFrame& frame,
   {
     return;
   }
-  this->AreaLights = true;
+  this->VirtualAreaLights = takes && circumstances.VirtualAreaLights;
+  this->MinMaxAreaLights = this->VirtualAreaLights && estimator.IsOfPaper;
+  this->AreaLights = circumstances.ClosedAreaLights || !this->VirtualAreaLights;
+  if (circumstances.VirtualAreaLights)
+  {
+    (takes ? this->Modelled : this->LeftOut)
+      .emplace_back("area lights as virtual lights",
+        takes ? std::string(this->MinMaxAreaLights
+                    ? "by least and greatest luminance, as the paper does"
+                    : "pieces of pieces for receivers near them")
+              : estimator.Name + " takes none beside the lights' maps; the closed form is used");
+  }
   this->AreaIsShadowed = settings.Visibility != vtkIndirectVisibilityNone && !frame.Casters.empty();
-  if (!this->AreaIsShadowed && !frame.Casters.empty())
+  if (this->AreaLights && !this->AreaIsShadowed && !frame.Casters.empty())
   {
     this->LeftOut.emplace_back(
       "what hides area lights", "Visibility is none; the result is too bright");
@@ -375,7 +387,7 @@ void vtkIndirectPlan::FindUnit(
   // the scene, so that 1e-7 to 65504 times that can be stored. Some surface may receive a quarter
   // or more of a sky's light.
   double unit = std::max(this->SkyBounces ? circumstances.EnvironmentIrradiance : 0.0,
-    this->AreaLightsBounce ? circumstances.AreaLightIrradiance : 0.0);
+    this->AreaLightsBounce || this->VirtualAreaLights ? circumstances.AreaLightIrradiance : 0.0);
   for (const vtkIndirectLight& light : frame.Lights)
   {
     const double color = std::max({ light.Color.x, light.Color.y, light.Color.z });
@@ -476,6 +488,7 @@ vtkIndirectKey vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
   key.Add("bounces", this->NumberOfBounces).Add("bounces", this->SampledBounces);
   key.Add("bounces", this->WalkedBounces).Add("bounces", this->SkyBounces);
   key.Add("bounces", this->AreaLightsBounce);
+  key.Add("area lights", this->VirtualAreaLights).Add("area lights", this->MinMaxAreaLights);
   key.Add("error tolerance", this->ErrorTolerance);
   key.Add("error tolerance", this->EstimatorErrorTolerance);
   key.Add("sky", this->SkySource).Add("sky", this->SkyIsShadowed).Add("sky", this->Sky);

@@ -48,6 +48,8 @@ struct vtkIndirectCircumstances
   bool SamplerWalks = false;
   bool OtherSamplerWalks = false; // an additional sampler finds lights by rays
   bool AreaLights = false;        // there are rectangular lights
+  bool VirtualAreaLights = false; // some of them are asked for as virtual lights
+  bool ClosedAreaLights = false;  // some of them are not
   /** VTK irradiance of a surface in the middle of the scene that faces all area lights. */
   double AreaLightIrradiance = 0.0;
   int VisibleAreaLights = 0; // number of area lights that are visible themselves
@@ -137,12 +139,14 @@ struct vtkIndirectPlan
   /** Surfaces reflect the environment's light: by virtual lights, or by spheres. */
   bool SkyBounces = false;
   bool SpheresBounceSky = false;
-  bool OtherSamplers = false;    // passes add virtual lights of their own samplers
-  bool AreaLights = false;       // light comes directly from rectangles
-  bool AreaIsShadowed = true;    // light from rectangles may be hidden
-  bool AreaLightsBounce = false; // surfaces reflect the light of rectangles
-  bool AreaSpecular = false;     // receivers reflect rectangles specularly, too
-  int VisibleAreaLights = 0;     // number of area lights that are drawn
+  bool OtherSamplers = false;     // passes add virtual lights of their own samplers
+  bool AreaLights = false;        // light comes directly from rectangles, in closed form
+  bool VirtualAreaLights = false; // pieces of rectangles are virtual lights
+  bool MinMaxAreaLights = false;  // these pieces are the paper's
+  bool AreaIsShadowed = true;     // light from rectangles may be hidden
+  bool AreaLightsBounce = false;  // surfaces reflect the light of rectangles
+  bool AreaSpecular = false;      // receivers reflect rectangles specularly, too
+  int VisibleAreaLights = 0;      // number of area lights that are drawn
   ///@{
   /**
    * Returns true if a further frame is awaited, as while a camera turns: at a rate of a picture a

@@ -84,6 +84,17 @@ void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIn
   {
     this->Samplers.emplace_back(this->Senders);
   }
+  if (plan.VirtualAreaLights)
+  {
+    this->Area->SetNumberOfLights(abilities.NumberOfLights);
+    this->Area->SetClustering(
+      plan.MinMaxAreaLights ? vtkAreaLightSampler::MIN_MAX : vtkAreaLightSampler::VARIANCE);
+    this->Samplers.emplace_back(vtkIndirectSampler::Get(this->Area));
+  }
+  else
+  {
+    this->Area->ReleaseGraphicsResources(frame.Window);
+  }
   if (plan.Refraction)
   {
     this->Refraction->SetNumberOfLights(abilities.NumberOfLights);
@@ -155,6 +166,10 @@ void vtkIndirectFrameSamplers::AppendTo(vtkIndirectKey& key) const
   {
     key.Add("sampler", sampler);
   }
+  if (this->Area->GetNumberOfAreaLights() > 0)
+  {
+    key.Add("sampler", this->Area);
+  }
   key.Add("senders", this->Senders->GetSourceTime());
 }
 
@@ -219,6 +234,7 @@ void vtkIndirectFrameSamplers::ReleaseOwn(vtkWindow* window)
   this->Senders->Release(window);
   this->Refraction->Release(window);
   this->LaterBounces->ReleaseGraphicsResources(window);
+  this->Area->ReleaseGraphicsResources(window);
   for (const auto& sampler : this->Others)
   {
     sampler->ReleaseGraphicsResources(window);

@@ -10,6 +10,7 @@
 #include "VirtualLights/vtkIndirectSenderSampler.h"    // for members
 #include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
 #include "Visibility/vtkIndirectRefractionSampler.h"   // for members
+#include "vtkAreaLightSampler.h"                       // for members
 #include "vtkLightTreeSampler.h"                       // for members
 #include "vtkNew.h"                                    // for members
 #include "vtkRandomWalkLightSampler.h"                 // for members
@@ -36,12 +37,22 @@ public:
 
   /** The sampler if the user has set none. */
   vtkNew<vtkLightTreeSampler> Default;
+  /** The sampler of area lights that are summed as virtual lights. */
+  vtkNew<vtkAreaLightSampler> Area;
   /** Further samplers, whose lights are summed in addition to those of the frame's sampler. */
   std::vector<vtkSmartPointer<vtkVirtualLightSampler>> Others;
 
   /** Returns true if one of the further samplers walks. */
   bool HasOtherWalk() const;
 
+  ///@{
+  /** Must be called before UpdateSenderMaps. Haste: see vtkIndirectSenderSampler. */
+  void BeginSenderMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan)
+  {
+    this->Senders->BeginFrame(frame, plan);
+  }
+  bool IsHasty() const { return this->Senders->IsHasty(); }
+  ///@}
   /**
    * Brings the maps of surfaces up to date that reflect light of the sky and of area lights, if the
    * plan has such light. source: the inputs of the emitters, which are made again when it changes.

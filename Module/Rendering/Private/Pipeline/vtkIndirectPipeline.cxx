@@ -70,8 +70,9 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
       this->UsableAreaLights.push_back(light);
     }
   }
-  circumstances.AreaLightIrradiance = vtkIndirectEmitters::FindIrradiance(
-    this->UsableAreaLights, glm::value_ptr(this->Frame.SceneCenter));
+  const auto findIrradiance = [this](const std::vector<vtkSmartPointer<vtkAreaLight>>& lights)
+  { return vtkIndirectEmitters::FindIrradiance(lights, glm::value_ptr(this->Frame.SceneCenter)); };
+  circumstances.AreaLightIrradiance = findIrradiance(this->UsableAreaLights);
   circumstances.AreaLights = circumstances.AreaLightIrradiance > 0.0;
   circumstances.VisibleAreaLights = vtkIndirectVisibleLamps::Count(this->UsableAreaLights);
   this->Environment =
@@ -99,10 +100,29 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   {
     abilities.AutomaticVisibility = vtkIndirectVisibilityNone;
   }
+  // Estimators of the paper that read the lights' maps take no other lights.
+  const bool virtualOfPaper = abilities.IsOfPaper && !abilities.ReadsMaps && !abilities.SumsSky;
+  std::vector<vtkSmartPointer<vtkAreaLight>> virtualAreaLights;
+  this->ClosedAreaLights.clear();
+  for (const auto& light : this->UsableAreaLights)
+  {
+    const int method = light->GetMethod();
+    const bool isVirtual = method == vtkAreaLight::VIRTUAL_LIGHTS ||
+      (method == vtkAreaLight::AUTOMATIC && virtualOfPaper);
+    (isVirtual ? virtualAreaLights : this->ClosedAreaLights).push_back(light);
+  }
+  circumstances.VirtualAreaLights = findIrradiance(virtualAreaLights) > 0.0;
+  circumstances.ClosedAreaLights = findIrradiance(this->ClosedAreaLights) > 0.0;
   circumstances.SamplerWalks =
     abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
+  if (!this->Plan.VirtualAreaLights)
+  {
+    virtualAreaLights.clear();
+    this->ClosedAreaLights = this->UsableAreaLights;
+  }
+  this->Samplers.Area->SetLights(virtualAreaLights);
   // Old maps are released: they would show outdated shadows when the sky comes from maps again.
   const bool sky = circumstances.Environment && request.Settings.IndirectScale > 0.0;
   if (!sky || this->Plan.SkySource != vtkIndirectPlan::SKY_BY_MAPS)
@@ -118,7 +138,8 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   {
     this->Spheres->ReleaseGraphicsResources(this->Frame.Window);
   }
-  if (!circumstances.AreaLights || request.Settings.IndirectScale == 0.0)
+  if (!circumstances.AreaLights || request.Settings.IndirectScale == 0.0 ||
+    (this->Plan.VirtualAreaLights && !this->Plan.AreaLights))
   {
     this->Area.Release(this->Frame.Window);
     this->Parts[AREA].Key.Clear();
@@ -213,10 +234,12 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
   vtkEnvironmentLight* const sky = this->Plan.SkyBounces ? this->Environment : nullptr;
+  this->Samplers.BeginSenderMaps(this->Frame, this->Plan);
   vtkIndirectKey source;
   source.Add("sky", sky);
   if (this->Plan.AreaLightsBounce)
   {
+    source.Add("haste", this->Samplers.IsHasty());
     this->AppendAreaLights(source);
   }
   const auto makeEmitters = [&]
@@ -228,7 +251,8 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
     }
     if (this->Plan.AreaLightsBounce)
     {
-      vtkIndirectEmitters::AddAreaLights(emitters, this->UsableAreaLights);
+      vtkIndirectEmitters::AddAreaLights(
+        emitters, this->UsableAreaLights, this->Samplers.IsHasty());
     }
     return emitters;
   };
@@ -247,7 +271,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
   this->ChooseLights(request);
   const vtkIndirectFrameLight::Input input = { this->Frame, this->Plan, this->Geometry, this->Maps,
     nullptr, this->Bounce.GetVisibility(), false, this->Timer, this->Environment,
-    &this->SkyProjection, &this->UsableAreaLights };
+    &this->SkyProjection, &this->ClosedAreaLights };
   for (Part& part : this->Parts)
   {
     if (part.IsAsked)
@@ -416,7 +440,8 @@ const vtkIndirectPipeline::Part* vtkIndirectPipeline::GetPart(PartType type) con
 glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
 {
   const std::vector<vtkIndirectLight>& lights = this->Frame.Lights;
-  const bool lamps = this->Plan.AreaLights || this->Plan.OtherSamplers ||
+  const bool lamps = this->Plan.AreaLights || this->Plan.VirtualAreaLights ||
+    this->Plan.OtherSamplers ||
     std::any_of(lights.begin(), lights.end(),
       [](const vtkIndirectLight& light) { return light.Color != glm::dvec3(0.0); });
   glm::dvec3 greatest(1e30);

@@ -175,6 +175,7 @@ private:
   vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
   vtkEnvironmentLight* Environment = nullptr;
   std::vector<vtkSmartPointer<vtkAreaLight>> UsableAreaLights; // includes lights that are off
+  std::vector<vtkSmartPointer<vtkAreaLight>> ClosedAreaLights; // usable, and no virtual lights
   bool BuffersAreThere = false;
   Part Parts[NUMBER_OF_PARTS];
   long long NumberOfEstimates = 0;

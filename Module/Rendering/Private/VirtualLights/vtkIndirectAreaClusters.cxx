@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VirtualLights/vtkIndirectAreaClusters.h"
 
+#include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectSenderClusters.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +12,8 @@
 
 namespace
 {
+using Light = vtkIndirectAreaClusters::Light;
+
 // Each pixel of an image with fewer pixels along an edge is cut into cells; in an image with more
 // pixels than MostEntries, several pixels share an entry of the table.
 constexpr int LeastCells = 64;
@@ -166,19 +171,22 @@ struct Piece
     return std::min(std::max(cut, this->Lower[this->Axis] + 1), this->Upper[this->Axis] - 1);
   }
 
-  vtkIndirectAreaClusters::Light MakeLight() const
+  Light MakeLight() const
   {
     const vtkIndirectAreaClusters::Image& image = this->Whole->Image;
     const glm::dvec3 span = glm::cross(image.Edge1, image.Edge2);
     const double cell =
       glm::length(span) / (static_cast<double>(this->Whole->Cells[0]) * this->Whole->Cells[1]);
-    vtkIndirectAreaClusters::Light light;
+    Light light;
     light.Position = image.GetPlace(this->Mean + 0.5);
     light.Normal = glm::normalize(span);
     light.RadianceArea = cell * glm::dvec3(this->Sum[Red], this->Sum[Green], this->Sum[Blue]);
     light.Area = cell * this->Sum[Strength] * this->Sum[Strength] / this->Sum[StrengthSquared];
     return light;
   }
+
+  // Returns the lights of the piece's sides.
+  int GetSides() const { return this->Whole->Image.TwoSided ? 2 : 1; }
 };
 
 // Orders the queue so that the widest piece comes first, and among equal ones the earlier.
@@ -189,52 +197,36 @@ struct Narrower
     return a.first != b.first ? a.first < b.first : a.second > b.second;
   }
 };
-}
 
-//------------------------------------------------------------------------------
-std::vector<vtkIndirectAreaClusters::Light> vtkIndirectAreaClusters::MakeLights(
-  const std::vector<Image>& images, int count)
+// Halves the widest piece again and again, until there are as many lights, sides counted, as asked
+// for. One half replaces the whole piece; the other half may be dark.
+void Halve(std::vector<Piece>& pieces, int count)
 {
-  std::vector<Table> tables;
-  tables.reserve(images.size());
-  std::vector<Piece> pieces;
   std::priority_queue<std::pair<double, size_t>, std::vector<std::pair<double, size_t>>, Narrower>
     queue;
   int lights = 0;
-  auto sides = [](const Piece& piece) { return piece.Whole->Image.TwoSided ? 2 : 1; };
-  auto add = [&](const Piece& piece)
+  auto enqueue = [&](size_t i)
   {
-    if (!(piece.Sum[Strength] > 0.0))
+    lights += pieces[i].GetSides();
+    if (pieces[i].Axis >= 0)
     {
-      return;
+      queue.emplace(pieces[i].Width, i);
     }
-    lights += sides(piece);
-    if (piece.Axis >= 0)
-    {
-      queue.emplace(piece.Width, pieces.size());
-    }
-    pieces.push_back(piece);
   };
-  for (const Image& image : images)
+  for (size_t i = 0; i < pieces.size(); ++i)
   {
-    if (!(image.GetArea() > 0.0))
-    {
-      continue;
-    }
-    tables.emplace_back(image);
-    const int lower[2] = { 0, 0 };
-    add(Piece(tables.back(), lower, tables.back().Size));
+    enqueue(i);
   }
   while (!queue.empty())
   {
     const size_t widest = queue.top().second;
     const Piece piece = pieces[widest];
-    if (lights + sides(piece) > count)
+    if (lights + piece.GetSides() > count)
     {
       break;
     }
     queue.pop();
-    lights -= sides(piece);
+    lights -= piece.GetSides();
     int middle[2] = { piece.Upper[0], piece.Upper[1] };
     middle[piece.Axis] = piece.FindCut();
     const Piece first(*piece.Whole, piece.Lower, middle);
@@ -242,29 +234,254 @@ std::vector<vtkIndirectAreaClusters::Light> vtkIndirectAreaClusters::MakeLights(
     middle[1] = piece.Lower[1];
     middle[piece.Axis] = piece.FindCut();
     const Piece second(*piece.Whole, middle, piece.Upper);
-    // One half replaces the whole piece; the other half may be dark.
     const bool firstIsLit = first.Sum[Strength] > 0.0;
     pieces[widest] = firstIsLit ? first : second;
-    lights += sides(piece);
-    if (pieces[widest].Axis >= 0)
+    enqueue(widest);
+    if (firstIsLit && second.Sum[Strength] > 0.0)
     {
-      queue.emplace(pieces[widest].Width, widest);
-    }
-    if (firstIsLit)
-    {
-      add(second);
+      pieces.push_back(second);
+      enqueue(pieces.size() - 1);
     }
   }
-  std::vector<vtkIndirectAreaClusters::Light> result;
-  result.reserve(static_cast<size_t>(lights));
+}
+
+// Returns the light of a piece, or of a piece of a piece, which receives divide near it if the
+// error of the whole exceeds the limit.
+Light MakeNode(const Piece& piece, double limit)
+{
+  Light light = piece.MakeLight();
+  light.ContactSoftening = light.Area;
+  if (limit > 0.0 && piece.Axis >= 0)
+  {
+    const double strength =
+      (light.RadianceArea.x + light.RadianceArea.y + light.RadianceArea.z) / 3.0;
+    light.ChildDistance = vtkIndirectSenderClusters::FindChildDistance(
+      strength, piece.Spread.x + piece.Spread.y, limit);
+  }
+  return light;
+}
+
+// Adds the lights of a piece's sides. Branches are places for two generations below a light: each
+// child is followed by its own children. Both sides are divided the same way.
+void AddLights(const Piece& piece, double limit, vtkIndirectAreaClusters::LightTree& tree)
+{
+  constexpr int perNode = vtkIndirectKernels::VTKI_BRANCHES_PER_NODE;
+  Light nothing;
+  nothing.ChildDistance = -1.0;
+  std::vector<Light> branches(limit > 0.0 ? vtkIndirectKernels::VTKI_BRANCHES : 0, nothing);
+  const Light light = MakeNode(piece, limit);
+  if (light.ChildDistance > 0.0)
+  {
+    std::vector<Piece> children = { piece };
+    Halve(children, perNode * piece.GetSides());
+    for (size_t i = 0; i < children.size(); ++i)
+    {
+      Light* const family = &branches[i * (perNode + 1)];
+      family[0] = MakeNode(children[i], limit);
+      if (family[0].ChildDistance > 0.0)
+      {
+        std::vector<Piece> leaves = { children[i] };
+        Halve(leaves, perNode * piece.GetSides());
+        double softening = 0.0;
+        for (size_t k = 0; k < leaves.size(); ++k)
+        {
+          family[k + 1] = MakeNode(leaves[k], 0.0);
+          softening = std::max(softening, family[k + 1].Area);
+        }
+        family[0].ContactSoftening = softening;
+      }
+    }
+  }
+  for (int side = 0; side < piece.GetSides(); ++side)
+  {
+    tree.Lights.push_back(light);
+    tree.Branches.insert(tree.Branches.end(), branches.begin(), branches.end());
+    if (side == 1)
+    {
+      tree.Lights.back().Normal *= -1.0;
+      for (size_t i = tree.Branches.size() - branches.size(); i < tree.Branches.size(); ++i)
+      {
+        tree.Branches[i].Normal *= -1.0;
+      }
+    }
+  }
+}
+
+// Squares of a picture at all sizes down to cells, with the least and the greatest radiance of each
+// (the sum over the colours).
+class MinMaxPyramid
+{
+public:
+  // Squares along an edge of the finest level, and of the coarsest that become one light.
+  static constexpr int Finest = 64;
+
+  explicit MinMaxPyramid(const Table& table)
+    : Whole(table)
+  {
+    for (int edge = Finest; edge > 0; edge /= 2)
+    {
+      this->Levels.emplace_back(static_cast<size_t>(edge) * edge);
+      for (int y = 0; y < edge; ++y)
+      {
+        for (int x = 0; x < edge; ++x)
+        {
+          this->Levels.back()[static_cast<size_t>(y) * edge + x] =
+            edge == Finest ? this->Measure(x, y) : this->Join(x, y, 2 * edge);
+        }
+      }
+    }
+  }
+
+  double GetGreatestRange() const { return this->Levels.back()[0].y - this->Levels.back()[0].x; }
+
+  // Appends pieces of at least 1 / coarsest of an edge: squares whose radiances differ by at most
+  // this, and else their quarters.
+  void AppendPieces(double difference, int coarsest, std::vector<Piece>& pieces) const
+  {
+    this->Append(0, 0, 1, difference, coarsest, pieces);
+  }
+
+private:
+  Piece MakePiece(int x, int y, int edge) const
+  {
+    auto place = [&](int i, int axis) { return i * this->Whole.Size[axis] / edge; };
+    const int lower[2] = { place(x, 0), place(y, 1) };
+    const int upper[2] = { place(x + 1, 0), place(y + 1, 1) };
+    return Piece(this->Whole, lower, upper);
+  }
+  glm::dvec2 Measure(int x, int y) const
+  {
+    const Piece piece = this->MakePiece(x, y, Finest);
+    const double entries = static_cast<double>(piece.Upper[0] - piece.Lower[0]) *
+      static_cast<double>(piece.Upper[1] - piece.Lower[1]);
+    return glm::dvec2(piece.Sum[Strength] / entries);
+  }
+  glm::dvec2 Join(int x, int y, int finer) const
+  {
+    const std::vector<glm::dvec2>& level = this->Levels[this->Levels.size() - 2];
+    glm::dvec2 range = level[static_cast<size_t>(2 * y) * finer + 2 * x];
+    for (int i = 1; i < 4; ++i)
+    {
+      const glm::dvec2& other = level[static_cast<size_t>(2 * y + i / 2) * finer + 2 * x + i % 2];
+      range = { std::min(range.x, other.x), std::max(range.y, other.y) };
+    }
+    return range;
+  }
+  void Append(
+    int x, int y, int edge, double difference, int coarsest, std::vector<Piece>& pieces) const
+  {
+    const size_t level = static_cast<size_t>(std::lround(std::log2(Finest / edge)));
+    const glm::dvec2& range = this->Levels[level][static_cast<size_t>(y) * edge + x];
+    if (edge == Finest || (edge >= coarsest && range.y - range.x <= difference))
+    {
+      const Piece piece = this->MakePiece(x, y, edge);
+      if (piece.Sum[Strength] > 0.0)
+      {
+        pieces.push_back(piece);
+      }
+      return;
+    }
+    for (int i = 0; i < 4; ++i)
+    {
+      this->Append(2 * x + i % 2, 2 * y + i / 2, 2 * edge, difference, coarsest, pieces);
+    }
+  }
+
+  const Table& Whole;
+  std::vector<std::vector<glm::dvec2>> Levels; // the finest first
+};
+
+std::vector<Table> MakeTables(const std::vector<vtkIndirectAreaClusters::Image>& images)
+{
+  std::vector<Table> tables;
+  tables.reserve(images.size());
+  for (const vtkIndirectAreaClusters::Image& image : images)
+  {
+    if (image.GetArea() > 0.0)
+    {
+      tables.emplace_back(image);
+    }
+  }
+  return tables;
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectAreaClusters::LightTree vtkIndirectAreaClusters::MakeLights(
+  const std::vector<Image>& images, int count, double limit)
+{
+  const std::vector<Table> tables = MakeTables(images);
+  std::vector<Piece> pieces;
+  for (const Table& table : tables)
+  {
+    const int lower[2] = { 0, 0 };
+    const Piece whole(table, lower, table.Size);
+    if (whole.Sum[Strength] > 0.0)
+    {
+      pieces.push_back(whole);
+    }
+  }
+  Halve(pieces, count);
+  LightTree tree;
+  tree.Lights.reserve(static_cast<size_t>(std::max(count, 0)));
   for (const Piece& piece : pieces)
   {
-    result.push_back(piece.MakeLight());
-    if (piece.Whole->Image.TwoSided)
-    {
-      result.push_back(result.back());
-      result.back().Normal = -result.back().Normal;
-    }
+    AddLights(piece, limit, tree);
   }
-  return result;
+  return tree;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIndirectAreaClusters::Light> vtkIndirectAreaClusters::MakeMinMaxLights(
+  const std::vector<Image>& images, int count)
+{
+  const std::vector<Table> tables = MakeTables(images);
+  int sides = 0;
+  double most = 0.0;
+  std::vector<MinMaxPyramid> pyramids;
+  for (const Table& table : tables)
+  {
+    sides += table.Image.TwoSided ? 2 : 1;
+    pyramids.emplace_back(table);
+    most = std::max(most, pyramids.back().GetGreatestRange());
+  }
+  int coarsest = MinMaxPyramid::Finest;
+  while (coarsest > 1 && sides * 4 * coarsest * coarsest > count)
+  {
+    coarsest /= 2;
+  }
+  std::vector<Piece> pieces;
+  auto divide = [&](double difference)
+  {
+    pieces.clear();
+    int lights = 0;
+    for (const MinMaxPyramid& pyramid : pyramids)
+    {
+      const size_t before = pieces.size();
+      pyramid.AppendPieces(difference, coarsest, pieces);
+      lights += before < pieces.size()
+        ? static_cast<int>(pieces.size() - before) * pieces.back().GetSides()
+        : 0;
+    }
+    return lights <= count;
+  };
+  // Fewer lights come of a greater difference. The greatest gives no more than asked for, or one
+  // for each side.
+  double enough = most;
+  double tooSmall = 0.0;
+  for (int i = 0; i < 20 && !divide(tooSmall); ++i)
+  {
+    const double middle = 0.5 * (tooSmall + enough);
+    (divide(middle) ? enough : tooSmall) = middle;
+  }
+  if (!divide(tooSmall))
+  {
+    divide(enough);
+  }
+  LightTree tree;
+  for (const Piece& piece : pieces)
+  {
+    AddLights(piece, 0.0, tree);
+  }
+  return tree.Lights;
 }

@@ -2,11 +2,12 @@
 // Virtual lights of rectangles that send light: few where the light is uniform, more where it is
 // not.
 //
-// The piece whose light lies farthest from its mean, over all rectangles, is halved again and
-// again. (Nichols and Wyman 2009 begin with many lights instead, and join those of a piece without
-// a discontinuity.) A piece's light is the sum of its pixels' light, so no light is lost; it comes
-// from the pixels' mean place. A piece's area is the area that its light covers: a single bright
-// pixel has its own area, not that of the dark piece around it.
+// MakeLights halves the piece whose light lies farthest from its mean, over all rectangles, again
+// and again; near receivers sum the halves of a piece in its place. MakeMinMaxLights begins with
+// many lights and joins those of a square without a discontinuity (Nichols and Wyman 2009). A
+// piece's light is the sum of its pixels' light, so no light is lost; it comes from the pixels'
+// mean place. A piece's area is the area that its light covers: a single bright pixel has its own
+// area, not that of the dark piece around it.
 #pragma once
 
 #include "VirtualLights/vtkIndirectRectangle.h" // for places
@@ -30,12 +31,28 @@ public:
     glm::dvec3 Normal{ 0.0, 0.0, 1.0 };
     double Area = 1.0;
     glm::dvec3 RadianceArea{ 0.0 };
+    double ChildDistance = 0.0;    // receivers nearer than this sum its branches in its place
+    double ContactSoftening = 1.0; // of a branch, as vtkIndirectSenderClusters::Light has it
+  };
+  struct LightTree
+  {
+    std::vector<Light> Lights;
+    /** As vtkIndirectSenderClusters::LightTree has them. Empty if no light has branches. */
+    std::vector<Light> Branches;
   };
 
   /**
    * Makes at most this many lights, but at least one for each side of an image that is not dark.
    * Pieces are no smaller than pixels, a 64th of an edge where pixels are larger, a 512th where
-   * pixels are smaller.
+   * pixels are smaller. Receivers sum the branches of a light where the error of the whole light's
+   * irradiance exceeds `limit`; 0: never.
    */
-  static std::vector<Light> MakeLights(const std::vector<Image>& images, int count);
+  static LightTree MakeLights(const std::vector<Image>& images, int count, double limit);
+
+  /**
+   * Makes at most this many lights, but at least one for each side, of squares whose radiances
+   * differ by as little as that many lights allow: 64 x 64 of an image where they differ most, and
+   * as many as fit into a quarter of `count` where they do not differ.
+   */
+  static std::vector<Light> MakeMinMaxLights(const std::vector<Image>& images, int count);
 };

@@ -16,7 +16,7 @@ namespace
 {
 // Numbers of pieces start here: there are fewer directions of the sky.
 constexpr int FirstPiece = 1024;
-constexpr int MostPiecesPerEdge = 2;
+constexpr int MostPiecesPerEdge = 4;
 
 // Number of directions that may become groups of their own. vtkIndirectSkyGather sums over as many,
 // so that the light of a sun is reflected at the place where it falls.
@@ -38,6 +38,26 @@ size_t FindNearest(const glm::dvec3& direction, const std::vector<glm::dvec3>& l
     }
   }
   return nearest;
+}
+
+// Returns a number below a power of two with its bits reversed.
+int Reverse(int number, int powerOfTwo)
+{
+  int reversed = 0;
+  for (int bit = 1; bit < powerOfTwo; bit *= 2)
+  {
+    reversed = 2 * reversed + (number & bit ? 1 : 0);
+  }
+  return reversed;
+}
+
+// Returns a place within a part of an area light. Places of all parts also lie in columns and rows
+// of their own, of which there are as many as parts: bars before the light hide a share of the
+// places that is close to the share of the light.
+glm::dvec2 FindPlaceIn(int x, int y, int pieces)
+{
+  return { (x + (Reverse(y, pieces) + 0.5) / pieces) / pieces,
+    (y + (Reverse(x, pieces) + 0.5) / pieces) / pieces };
 }
 
 // Returns the mean radiance of a part of an area light.
@@ -213,10 +233,12 @@ void vtkIndirectEmitters::AddSky(
 
 //------------------------------------------------------------------------------
 void vtkIndirectEmitters::AddAreaLights(
-  List& emitters, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights)
+  List& emitters, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights, bool inHaste)
 {
   const int count = static_cast<int>(lights.size());
-  const int pieces = count > 4 ? 1 : MostPiecesPerEdge;
+  const int pieces = count > 4 ? 1
+    : count > 1 || inHaste     ? MostPiecesPerEdge / 2
+                               : MostPiecesPerEdge;
   List all;
   for (int number = 0; number < count; ++number)
   {
@@ -237,7 +259,7 @@ void vtkIndirectEmitters::AddAreaLights(
         emitter.Number =
           FirstPiece + ((2 * number + side) * MostPiecesPerEdge + y) * MostPiecesPerEdge + x;
         emitter.Light.Positional = true;
-        emitter.Light.PositionWC = whole.GetPlace({ (x + 0.5) / pieces, (y + 0.5) / pieces });
+        emitter.Light.PositionWC = whole.GetPlace(FindPlaceIn(x, y, pieces));
         emitter.Light.DirectionWC = (side == 0 ? 1.0 : -1.0) * whole.Normal;
         emitter.Light.Color = glm::dvec3(1.0);
         // The irradiance is L A cos / (pi d^2 + A): a spot of the whole hemisphere.

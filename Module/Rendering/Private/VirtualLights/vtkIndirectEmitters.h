@@ -42,12 +42,14 @@ void AddSky(List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironment
 constexpr size_t MostPieces = 64;
 
 /**
- * Adds pieces of area lights, 2 x 2 of each light, or one if there are more than four lights. A
- * piece is a spot that sends by the cosine, and gives a surface the irradiance of a disk of the
- * piece's area. Pieces stay in place while an image changes. If there would be more than
- * MostPieces, pieces that are near each other and face alike are joined.
+ * Adds pieces of area lights: 4 x 4 of a single light, 2 x 2 of each if there are up to four lights
+ * or, for a single light, in haste, and else one. A piece is a spot that sends by the cosine, from
+ * a place within the piece, and gives a surface the irradiance of a disk of the piece's area.
+ * Pieces stay in place while an image changes. If there would be more than MostPieces, pieces that
+ * are near each other and face alike are joined.
  */
-void AddAreaLights(List& emitters, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
+void AddAreaLights(
+  List& emitters, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights, bool inHaste);
 
 /**
  * Returns the VTK irradiance, of the brightest colour, of a surface at this place that would face

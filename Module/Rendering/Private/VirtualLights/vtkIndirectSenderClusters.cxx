@@ -493,9 +493,15 @@ void vtkIndirectSenderClusters::AddLobe(
 }
 
 //------------------------------------------------------------------------------
-// Returns the distance within which a node's error exceeds the limit. The node gives at most E = DA
-// / (pi d^2), of which a share of about (s / d)^4 is wrong; s is the root mean square distance of
-// its light from its mean place.
+// The node gives at most E = DA / (pi d^2), of which a share of about (s / d)^4 is wrong; s is the
+// root of the spread.
+double vtkIndirectSenderClusters::FindChildDistance(double strength, double spread, double limit)
+{
+  const double sixth = strength * spread * spread / (glm::pi<double>() * limit);
+  return std::sqrt(std::max(std::cbrt(sixth) - spread, 0.0));
+}
+
+//------------------------------------------------------------------------------
 double vtkIndirectSenderClusters::FindChildDistance(
   const Light& light, const Cluster& cluster, double limit)
 {
@@ -503,9 +509,7 @@ double vtkIndirectSenderClusters::FindChildDistance(
   {
     return 0.0;
   }
-  const double sixth =
-    Sum(light.DensityArea) / 3.0 * cluster.Spread * cluster.Spread / (glm::pi<double>() * limit);
-  return std::sqrt(std::max(std::cbrt(sixth) - cluster.Spread, 0.0));
+  return FindChildDistance(Sum(light.DensityArea) / 3.0, cluster.Spread, limit);
 }
 
 //------------------------------------------------------------------------------

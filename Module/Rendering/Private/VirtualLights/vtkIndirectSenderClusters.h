@@ -105,6 +105,12 @@ public:
    */
   static double FindError(double tolerance) { return 0.05 * tolerance; }
 
+  /**
+   * Returns the distance within which the error of a node's irradiance exceeds the limit. strength:
+   * density times area; spread: mean squared distance of the light's places from their mean.
+   */
+  static double FindChildDistance(double strength, double spread, double limit);
+
   size_t GetBytes() const;
 
 private:

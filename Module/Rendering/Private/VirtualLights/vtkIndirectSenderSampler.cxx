@@ -68,6 +68,14 @@ bool vtkIndirectSenderSampler::UpdateScene(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectSenderSampler::BeginFrame(
+  const vtkIndirectFrame& frame, const vtkIndirectPlan& plan)
+{
+  this->SceneIsNew = this->UpdateScene(frame) || !this->MapsAreThere || !plan.Caching;
+  this->Hasty = plan.Interactive && (this->Hasty || this->SceneIsNew);
+}
+
+//------------------------------------------------------------------------------
 // Sets the emitters. Emitters keep their places while their maps are valid, even without light: a
 // turning sky redraws no maps, except those of moving emitters such as a sun.
 void vtkIndirectSenderSampler::SetEmitters(
@@ -99,7 +107,6 @@ void vtkIndirectSenderSampler::SetEmitters(
 bool vtkIndirectSenderSampler::DrawMaps(
   const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture)
 {
-  const bool anew = this->UpdateScene(frame) || !this->MapsAreThere || !plan.Caching;
   // A scene at rest takes exactly the given emitters in their order, so that the picture does not
   // depend on its history.
   const bool rests = !plan.Interactive && !this->IsFresh && !frame.IsFurtherPart();
@@ -111,14 +118,14 @@ bool vtkIndirectSenderSampler::DrawMaps(
     this->Emitters = this->Given;
     this->EmittersHaveMoved = true;
   }
-  if (anew || this->Emitters.size() > MostMaps)
+  if (this->SceneIsNew || this->Emitters.size() > MostMaps)
   {
     const auto dark = std::remove_if(this->Emitters.begin(), this->Emitters.end(),
       [](const vtkIndirectEmitter& emitter) { return !IsLit(emitter); });
     this->EmittersHaveMoved = this->EmittersHaveMoved || dark != this->Emitters.end();
     this->Emitters.erase(dark, this->Emitters.end());
   }
-  if (!anew && !this->EmittersHaveMoved)
+  if (!this->SceneIsNew && !this->EmittersHaveMoved)
   {
     return true;
   }

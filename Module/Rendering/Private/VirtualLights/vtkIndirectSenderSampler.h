@@ -25,6 +25,11 @@ public:
   /** Makes as many lights as the frame's sampler, and divides them if that sampler does. */
   void Follow(const vtkIndirectSamplerAbilities& sampler);
 
+  /** Finds out whether the scene has changed. Must be called first in each frame. */
+  void BeginFrame(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan);
+  /** Returns true if the scene changes from frame to frame, so that few maps are better than many.
+   */
+  bool IsHasty() const { return this->Hasty; }
   /** Returns true if the sampler has the emitters that were made of these inputs. */
   bool Knows(const vtkIndirectKey& source) const { return source == this->Source; }
   /** Sets the frame's emitters, each of which sends light, and their inputs. */
@@ -63,6 +68,8 @@ private:
   bool EmittersHaveMoved = false;     // true if emitters came, went or moved since then
 
   bool MapsAreThere = false;
+  bool SceneIsNew = false; // a caster has changed since the last frame
+  bool Hasty = false;
   vtkIndirectKey Scene; // the casters that the maps show
   vtkMTimeType SendersTime = 0;
 
