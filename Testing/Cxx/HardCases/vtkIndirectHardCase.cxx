@@ -2,11 +2,14 @@
 #include "vtkIndirectHardCase.h"
 
 #include "vtkActor.h"
+#include "vtkAreaLight.h"
 #include "vtkCellArray.h"
+#include "vtkEnvironmentLight.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkProperty.h"
 #include "vtkRSMReferencePass.h"
 #include "vtkTrivialProducer.h"
 #include "vtkVirtualLightSampler.h"
@@ -61,6 +64,67 @@ double GetShareOfDifferent(
     different += std::sqrt(sum) <= tolerance * std::max(length(i), least) ? 0 : 1;
   }
   return static_cast<double>(different) * components / expected.Values.size();
+}
+
+namespace
+{
+// Adds something to a scene for as long as it exists. Its place and size are those of the scene's
+// bounds; a scene without bounds gets nothing.
+class Addition
+{
+public:
+  Addition(Scene& scene, UserChoice::AdditionType type)
+    : Where(scene)
+  {
+    double bounds[6];
+    scene.Renderer->ComputeVisiblePropBounds(bounds);
+    const glm::dvec3 lower(bounds[0], bounds[2], bounds[4]);
+    const glm::dvec3 upper(bounds[1], bounds[3], bounds[5]);
+    const double size = glm::length(upper - lower);
+    if (!(size > 0.0) || !std::isfinite(size) || bounds[0] > bounds[1])
+    {
+      return;
+    }
+    if (type == UserChoice::SKY)
+    {
+      scene.Pass->SetEnvironment(this->Sky);
+    }
+    else if (type == UserChoice::GLASS)
+    {
+      this->Ball = scene.AddSphere(0.5 * (lower + upper), 0.1 * size, 12, glm::dvec3(1.0));
+      this->Ball->GetProperty()->SetInterpolationToPBR();
+      this->Ball->GetProperty()->SetRoughness(0.1);
+      this->Ball->GetProperty()->SetOpacity(0.1);
+      this->Ball->GetProperty()->SetBaseIOR(1.5);
+    }
+    else if (type != UserChoice::NOTHING)
+    {
+      // Its edges are half the scene's, and it shines down from above.
+      const glm::dvec3 corner(lower.x, upper.y + 0.1 * size, lower.z);
+      this->Lamp->SetOrigin(corner.x, corner.y, corner.z);
+      this->Lamp->SetPoint1(corner.x + 0.5 * size, corner.y, corner.z);
+      this->Lamp->SetPoint2(corner.x, corner.y, corner.z + 0.5 * size);
+      this->Lamp->SetMethod(type == UserChoice::VIRTUAL_LIGHTS ? vtkAreaLight::VIRTUAL_LIGHTS
+                                                               : vtkAreaLight::AUTOMATIC);
+      scene.Pass->AddAreaLight(this->Lamp);
+    }
+  }
+  ~Addition()
+  {
+    this->Where.Pass->SetEnvironment(nullptr);
+    this->Where.Pass->RemoveAllAreaLights();
+    if (this->Ball)
+    {
+      this->Where.Renderer->RemoveActor(this->Ball);
+    }
+  }
+
+private:
+  Scene& Where;
+  vtkNew<vtkEnvironmentLight> Sky;
+  vtkNew<vtkAreaLight> Lamp;
+  vtkActor* Ball = nullptr;
+};
 }
 
 //------------------------------------------------------------------------------
@@ -252,7 +316,10 @@ void HardCase::CheckUserChoices(int numberOfMaps)
     }
     std::printf("       %s; %s\n", this->Name.c_str(), choice.Name);
     choice.Install(this->Pass);
-    this->Render();
+    {
+      const Addition addition(*this, choice.Addition);
+      this->Render();
+    }
     this->CheckBuffers(0);
     this->CheckBuffersFit();
   }

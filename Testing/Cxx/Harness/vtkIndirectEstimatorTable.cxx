@@ -7,6 +7,7 @@
 #include "vtkIndirectSplattingPass.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkNew.h"
+#include "vtkProxyAccumulationPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
 #include "vtkRandomWalkLightSampler.h"
@@ -172,6 +173,15 @@ const std::vector<UserChoice>& GetUserChoices()
     { "multiresolution of the paper", false, InstallMethod<vtkMultiresolutionSplattingPass, true> },
     { "hints of the paper", false, InstallMethod<vtkRadianceHintsPass, true> },
     { "random walk", false, InstallSamplerAlone<vtkRandomWalkLightSampler> },
+    { "sky", false, InstallDefaults, UserChoice::SKY },
+    { "sky by proxies", false, InstallMethod<vtkProxyAccumulationPass, false>, UserChoice::SKY },
+    { "sky by proxies of the paper", false, InstallMethod<vtkProxyAccumulationPass, true>,
+      UserChoice::SKY },
+    { "area light", false, InstallDefaults, UserChoice::AREA_LIGHT },
+    { "area light as virtual lights", false, InstallDefaults, UserChoice::VIRTUAL_LIGHTS },
+    { "area light of the paper", false, InstallMethod<vtkMultiresolutionSplattingPass, true>,
+      UserChoice::AREA_LIGHT },
+    { "glass", false, InstallDefaults, UserChoice::GLASS },
   };
   return choices;
 }

@@ -42,13 +42,27 @@ const std::vector<EstimatorEntry>& GetEstimators();
 /** A choice as users make it: visibility, bounces, tolerance and lights are left to the pass. */
 struct UserChoice
 {
+  /** Additions to the scene. */
+  enum AdditionType
+  {
+    NOTHING,
+    SKY,            // a uniform one
+    AREA_LIGHT,     // a rectangle over the scene, by its default method
+    VIRTUAL_LIGHTS, // the same as virtual lights
+    GLASS           // a ball of glass in the middle of the scene
+  };
+
   const char* Name;
   /** It reads the lights' maps: a headlight, which has none, is an error. */
   bool NeedsMaps;
   void (*Install)(vtkIndirectIlluminationPass* pass);
+  AdditionType Addition = NOTHING;
 };
 
-/** Returns the methods and samplers at their defaults, and the methods' presets PAPER. */
+/**
+ * Returns the methods and samplers at their defaults, the methods' presets PAPER, and the default
+ * with each addition to the scene.
+ */
 const std::vector<UserChoice>& GetUserChoices();
 
 /** Rounding of the estimator with whose name a text begins; 0 if there is none. */
