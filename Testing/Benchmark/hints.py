@@ -1,10 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cost of the order of harmonics for radiance hints in rooms of any number of triangles.
+"""Cost of radiance hints by their parameters.
 
     PYTHONPATH=build/lib/python3.11/site-packages python3 Testing/Benchmark/hints.py
-        [--rounds N] [--size N] [--triangles N]...
+        [--rounds N] [--size N] [--triangles N]... [--figure FILE.png]
 
-Prints a Markdown table: the paper's settings, grids and numbers of samples (its table 2) in
+With --figure: plots the time of cornell_box by the number of hints, samples, bounces and pixels, for
+order 2 and order 3, over that of the paper's usual settings (its figure 10).
+
+Else prints a Markdown table for rooms of any number of triangles: the paper's settings, grids and numbers of samples (its table 2) in
 procedural rooms, milliseconds to bring the first bounce to the hints, for the second, and for
 look-up and interpolation, with order 2 and with order 3, and the ratio of their sums. Frames of the
 two alternate in one run on one window, so that other load falls on both alike: only ratios are
@@ -17,10 +20,12 @@ from __future__ import annotations
 import argparse
 import statistics
 import sys
+from pathlib import Path
 from typing import Any
 
+import plot
 from multiresolution import procedural, table
-from vtkindirect import methods, windows
+from vtkindirect import load_scene, methods, windows
 
 TRIANGLES = (12_000, 80_000, 150_000, 330_000)
 BALLS = 24
@@ -30,6 +35,16 @@ GRIDS = {
     "Sponza": ((24, 11, 15), 30),
 }
 """Hints along the axes and samples a hint, of the paper's table 2: its least, middle and most."""
+
+CORNELL_BOX = Path(__file__).resolve().parents[1] / "Scenes" / "cornell_box.json"
+USUAL = {"hints": 16, "samples": 28, "bounces": 1, "pixels": 1024}
+"""Hints along an axis, samples a hint, bounces, and pixels along an edge, of the paper's figure 10."""
+PANELS = {
+    "hints": ("hints", (8, 12, 16, 24, 32)),
+    "samples": ("samples a hint", (10, 20, 28, 40, 60)),
+    "bounces": ("bounces", (1, 2, 3, 4)),
+    "pixels": ("pixels", (256, 512, 768, 1024, 1440)),
+}
 
 STAGES = (("inject",), ("bounces",), ("estimate", "upsample"))
 
@@ -53,15 +68,72 @@ def measure(indirect: Any, window: Any, order: int) -> list[float]:
     return [sum(stages[name]["median_ms"] for name in group if name in stages) for group in STAGES]
 
 
+def time_of(values: dict[str, int], rounds: int) -> dict[int, float]:
+    """Milliseconds of hints, bounces and look-up in cornell_box, by the order of harmonics."""
+    scene = load_scene(CORNELL_BOX)
+    window = windows.render_window((values["pixels"], values["pixels"]), offscreen=True)
+    windows.start(window)
+    window.AddRenderer(scene.renderer)
+    indirect = methods.enable(
+        scene.renderer, "hints", lighting="scene", preset="paper", NumberOfBounces=values["bounces"]
+    )
+    hints = indirect.GetEstimator()
+    hints.SetGridResolution(*[values["hints"]] * 3)
+    hints.SetNumberOfSamples(values["samples"])
+    found: dict[int, list[float]] = {2: [], 3: []}
+    for turn in range(rounds + 1):
+        for order, times in found.items():
+            milliseconds = sum(measure(indirect, window, order))
+            if turn > 0:  # the first builds shaders
+                times.append(milliseconds)
+    window.Finalize()
+    return {order: statistics.median(times) for order, times in found.items()}
+
+
+def draw(path: Path, rounds: int) -> None:
+    """Plot times over the usual settings' of order 2, a panel for each parameter."""
+    pyplot = plot.require_plots()
+    time_of(USUAL, 1)  # the first frames of a process take longer
+    measured = {
+        name: [time_of({**USUAL, name: step}, rounds) for step in steps]
+        for name, (_, steps) in PANELS.items()
+    }
+    # Each panel has the usual settings, too.
+    usual = statistics.median(
+        measured[name][steps.index(USUAL[name])][2] for name, (_, steps) in PANELS.items()
+    )
+    figure, axes = pyplot.subplots(1, len(PANELS), figsize=(12, 3), sharey=True)
+    for axis, (name, (label, steps)) in zip(axes, PANELS.items()):
+        found = measured[name]
+        power = {"hints": 3, "pixels": 2}.get(name, 1)
+        for order, marker in ((2, "o-"), (3, "s--")):
+            times = [entry[order] / usual for entry in found]
+            axis.plot([step**power for step in steps], times, marker, label=f"order {order}")
+            print(f"{label}, order {order}:", ", ".join(
+                f"{step**power}: {ratio:.2f}" for step, ratio in zip(steps, times)
+            ))  # fmt: skip
+        axis.set_xlabel(label)
+        axis.set_ylim(bottom=0.0)
+    axes[0].set_ylabel("time over the usual")
+    axes[0].legend()
+    figure.tight_layout()
+    figure.savefig(path, dpi=100)
+    pyplot.close(figure)
+
+
 def main() -> int:
     """Measure and print the table; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--rounds", type=int, default=5, help="frames a median is of (default: 5)")
     parser.add_argument("--size", type=int, default=1024, help="edge of the window (default: 1024)")
     parser.add_argument("--triangles", type=int, action="append", help="of a room, about")
+    parser.add_argument("--figure", type=Path, metavar="FILE.png", help="plot instead")
     words = parser.parse_args()
     if words.rounds < 1 or words.size < 16:
         parser.error("--rounds must be 1 or more, --size 16 or more")
+    if words.figure:
+        draw(words.figure, words.rounds)
+        return 0
     rows = []
     for wanted in words.triangles or TRIANGLES:
         renderer, triangles = procedural(BALLS, resolution_for(wanted))
