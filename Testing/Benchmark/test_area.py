@@ -8,12 +8,14 @@ import unittest
 from contextlib import redirect_stdout
 from importlib.util import find_spec
 from pathlib import Path
+from unittest import mock
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
 import area_clusters
+import area_methods
 import area_sweep
 import area_video
 import slices
@@ -102,11 +104,24 @@ class Figures(support.DirectoryTest):
         picture, said = self.run_main(area_clusters.main, "--lights", "24", "--dense", "8")
         self.assertGreater(picture.std(), 10.0)
         lines = said.splitlines()
-        self.assertEqual(len(lines), 2)
+        self.assertEqual(len(lines), 4)
         for line in lines:
-            self.assertIn("64 lights, 24 clusters", line)
+            count = int(line.split(": ")[1].split()[0])
+            self.assertLessEqual(count, 24)
+            self.assertGreaterEqual(count, 24 if "variance" in line else 8)
             # Single precision of some ten thousand pixels.
-            self.assertLess(float(line.split()[-2]), 1e-5)
+            self.assertLess(float(line.split()[-1]), 1e-5)
+
+    def test_methods(self) -> None:
+        said = io.StringIO()
+        with redirect_stdout(said), mock.patch.object(area_methods, "FRAMES", 1):
+            self.assertEqual(area_methods.main(["area_cornell"]), 0)
+        rows = [line.split(" | ") for line in said.getvalue().splitlines()[2:]]
+        errors = {row[1]: float(row[2]) for row in rows}
+        self.assertEqual(set(errors), set(area_methods.METHODS))
+        self.assertLess(errors["virtual lights"], 0.005)
+        # The paper has no shadows.
+        self.assertGreater(errors.popitem()[1], 0.1)
 
 
 if __name__ == "__main__":
