@@ -6,43 +6,18 @@
 #include "Frame/vtkIndirectSettingList.h"
 #include "VirtualLights/vtkIndirectAreaClusters.h"
 #include "VirtualLights/vtkIndirectSampler.h"
-#include "VirtualLights/vtkIndirectSenderClusters.h"
+#include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "vtkAreaLight.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
-#include <numeric>
 
 vtkStandardNewMacro(vtkAreaLightSampler);
 
 namespace
 {
-using Lights = std::vector<vtkIndirectAreaClusters::Light>;
-
-// Returns the irradiance (VTK units) at a distance, right before a rectangle.
-double FindIrradianceAt(const vtkIndirectAreaClusters::Image& image, double distance)
-{
-  const size_t values = 3 * static_cast<size_t>(image.Columns) * image.Rows;
-  const double mean = std::accumulate(image.Radiances, image.Radiances + values, 0.0) / values;
-  return mean * image.GetArea() / (glm::pi<double>() * distance * distance);
-}
-
-std::vector<vtkIndirectSampler::Row> MakeRows(const Lights& lights)
-{
-  std::vector<vtkIndirectSampler::Row> rows;
-  rows.reserve(lights.size());
-  for (const vtkIndirectAreaClusters::Light& light : lights)
-  {
-    rows.push_back({ { light.Position.x, light.Position.y, light.Position.z }, light.Area,
-      { light.Normal.x, light.Normal.y, light.Normal.z },
-      { light.RadianceArea.x, light.RadianceArea.y, light.RadianceArea.z }, light.ChildDistance,
-      light.ContactSoftening });
-  }
-  return rows;
-}
-
 class AreaLights : public vtkIndirectSampler
 {
 public:
@@ -169,6 +144,7 @@ bool AreaLights::Update(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   // Radiances come first, because reading them may update the pipeline of a texture.
   std::vector<vtkIndirectAreaClusters::Image> images;
+  double usual = 0.0; // VTK irradiance from all lights at half of the scene's size
   for (int i = 0; i < this->Set.GetNumberOfAreaLights(); ++i)
   {
     vtkAreaLight* const light = this->Set.GetAreaLight(i);
@@ -181,6 +157,9 @@ bool AreaLights::Update(const Input& input)
     if (!radiances.empty())
     {
       image.Radiances = radiances.data();
+      glm::dvec3 mean;
+      light->GetMeanRadiance(&mean[0]);
+      usual += (mean.x + mean.y + mean.z) / 3.0 * image.GetArea() / (glm::pi<double>() * 0.25);
       images.push_back(image);
     }
   }
@@ -201,16 +180,11 @@ bool AreaLights::Update(const Input& input)
   }
   else
   {
-    // The error counts against the irradiance from all lights at half of the scene's size.
-    double usual = 0.0;
-    for (const vtkIndirectAreaClusters::Image& image : images)
-    {
-      usual += FindIrradianceAt(image, 0.5);
-    }
     tree = vtkIndirectAreaClusters::MakeLights(
       images, count, vtkIndirectSenderClusters::FindError(input.ErrorTolerance) * usual);
   }
-  if (!this->Write(frame, MakeRows(tree.Lights), MakeRows(tree.Branches)))
+  if (!this->Write(frame, vtkIndirectSenderTexels::MakeRows(tree.Lights),
+        vtkIndirectSenderTexels::MakeRows(tree.Branches)))
   {
     return false;
   }

@@ -64,17 +64,15 @@ public:
   void AddLight(vtkAreaLight* light);
   void RemoveLight(vtkAreaLight* light);
   void RemoveAllLights();
+  int GetNumberOfAreaLights() const { return static_cast<int>(this->Lights.size()); }
+  /** Returns an area light; null if the index is out of range. */
+  vtkAreaLight* GetAreaLight(int index) const;
+  ///@}
+
 #ifndef __VTK_WRAP__
   /** Replaces the lights; nothing changes if they are the same. */
   void SetLights(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
 #endif
-  int GetNumberOfAreaLights() const
-  {
-    return static_cast<int>(this->Lights.size());
-  }
-  /** Returns an area light; null if the index is out of range. */
-  vtkAreaLight* GetAreaLight(int index) const;
-  ///@}
 
   /** Includes the times of the lights and of their images. */
   vtkMTimeType GetMTime() override;

@@ -40,13 +40,13 @@ def measure(name: str, label: str) -> str:
     found, _missing = references.stored_images(stored, size, references.names_of(scene))
     for light in scene.area_lights:
         light.SetMethod(getattr(type(light), choice))
-    methods.enable(scene.renderer, method, lighting="scene", preset=preset)
+    indirect = methods.enable(scene.renderer, method, lighting="scene", preset=preset)
     start = time.process_time()
     window.Render()
     first = time.process_time() - start
     for _ in range(FRAMES):
         window.Render()
-        if vtkindirect.report(scene.renderer)["counters"]["tiles_left"] == 0:
+        if frames.tiles_left(indirect) == 0:
             break
     everything = time.process_time() - start
     judge = references.References(references.mask(scene), found)

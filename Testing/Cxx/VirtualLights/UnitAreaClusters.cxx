@@ -73,7 +73,7 @@ glm::dvec3 Sum(const std::vector<AreaClusters::Light>& lights)
   glm::dvec3 sum(0.0);
   for (const AreaClusters::Light& light : lights)
   {
-    sum += light.RadianceArea;
+    sum += light.DensityArea;
   }
   return sum;
 }
@@ -180,14 +180,14 @@ VTK_INDIRECT_TEST(AreaClustersHaveBranches)
     for (size_t i = 0; i < perNode && first[i * step].ChildDistance >= 0.0; ++i)
     {
       const AreaClusters::Light& child = first[i * step];
-      const double light = child.RadianceArea.x + child.RadianceArea.y + child.RadianceArea.z;
-      sum += child.RadianceArea;
+      const double light = child.DensityArea.x + child.DensityArea.y + child.DensityArea.z;
+      sum += child.DensityArea;
       place += light * child.Position;
       worst = std::max(worst, glm::length(child.Normal - node.Normal));
       CheckAtMost("distance", child.ChildDistance, node.ChildDistance, "it falls with the light");
     }
     const double light = sum.x + sum.y + sum.z;
-    worst = std::max(worst, glm::length(sum - node.RadianceArea) / light);
+    worst = std::max(worst, glm::length(sum - node.DensityArea) / light);
     worst = std::max(worst, glm::length(place / light - node.Position));
     ++families;
   };
@@ -267,7 +267,7 @@ VTK_INDIRECT_TEST(AreaClustersOfSeveral)
   double up = 0.0;
   for (const AreaClusters::Light& light : lights)
   {
-    up += light.Normal.z * light.RadianceArea.x;
+    up += light.Normal.z * light.DensityArea.x;
   }
   CheckAbsolute("to either side the same", up, 0.0, 1e-12, "rounding");
   CheckRelative("each side sends the radiance", Sum(lights).x, 2.0 * 2.0, 1e-12, "rounding");

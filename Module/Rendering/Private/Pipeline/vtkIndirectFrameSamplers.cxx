@@ -40,11 +40,15 @@ bool vtkIndirectFrameSamplers::HasOtherWalk() const
 //------------------------------------------------------------------------------
 bool vtkIndirectFrameSamplers::UpdateSenderMaps(const vtkIndirectFrame& frame,
   const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture, const vtkIndirectKey& source,
-  const std::function<vtkIndirectEmitters::List()>& makeEmitters)
+  const std::function<vtkIndirectEmitters::List(bool inHaste)>& makeEmitters)
 {
-  if (!this->Senders->Knows(source))
+  this->Senders->BeginFrame(frame, plan);
+  const bool inHaste = plan.AreaLightsBounce && this->Senders->IsHasty();
+  vtkIndirectKey key = source;
+  key.Add("haste", inHaste);
+  if (!this->Senders->Knows(key))
   {
-    this->Senders->SetEmitters(makeEmitters(), source);
+    this->Senders->SetEmitters(makeEmitters(inHaste), key);
   }
   return this->Senders->DrawMaps(frame, plan, capture);
 }

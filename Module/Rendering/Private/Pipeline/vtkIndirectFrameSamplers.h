@@ -45,22 +45,15 @@ public:
   /** Returns true if one of the further samplers walks. */
   bool HasOtherWalk() const;
 
-  ///@{
-  /** Must be called before UpdateSenderMaps. Haste: see vtkIndirectSenderSampler. */
-  void BeginSenderMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan)
-  {
-    this->Senders->BeginFrame(frame, plan);
-  }
-  bool IsHasty() const { return this->Senders->IsHasty(); }
-  ///@}
   /**
    * Brings the maps of surfaces up to date that reflect light of the sky and of area lights, if the
-   * plan has such light. source: the inputs of the emitters, which are made again when it changes.
-   * Returns false, after an error, when OpenGL refuses.
+   * plan has such light. source: the inputs of the emitters, which are made again when one changes;
+   * inHaste: the scene has area lights and changes from frame to frame. Returns false, after an
+   * error, when OpenGL refuses.
    */
   bool UpdateSenderMaps(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     vtkSurfaceCapturePass* capture, const vtkIndirectKey& source,
-    const std::function<vtkIndirectEmitters::List()>& makeEmitters);
+    const std::function<vtkIndirectEmitters::List(bool inHaste)>& makeEmitters);
   void ReleaseSenderMaps(vtkWindow* window) { this->Senders->Release(window); }
 
   /**

@@ -234,15 +234,13 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
   vtkEnvironmentLight* const sky = this->Plan.SkyBounces ? this->Environment : nullptr;
-  this->Samplers.BeginSenderMaps(this->Frame, this->Plan);
   vtkIndirectKey source;
   source.Add("sky", sky);
   if (this->Plan.AreaLightsBounce)
   {
-    source.Add("haste", this->Samplers.IsHasty());
     this->AppendAreaLights(source);
   }
-  const auto makeEmitters = [&]
+  const auto makeEmitters = [&](bool inHaste)
   {
     vtkIndirectEmitters::List emitters;
     if (sky)
@@ -251,8 +249,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
     }
     if (this->Plan.AreaLightsBounce)
     {
-      vtkIndirectEmitters::AddAreaLights(
-        emitters, this->UsableAreaLights, this->Samplers.IsHasty());
+      vtkIndirectEmitters::AddAreaLights(emitters, this->UsableAreaLights, inHaste);
     }
     return emitters;
   };

@@ -2,7 +2,6 @@
 #include "VirtualLights/vtkIndirectAreaClusters.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
-#include "VirtualLights/vtkIndirectSenderClusters.h"
 
 #include <algorithm>
 #include <array>
@@ -180,7 +179,7 @@ struct Piece
     Light light;
     light.Position = image.GetPlace(this->Mean + 0.5);
     light.Normal = glm::normalize(span);
-    light.RadianceArea = cell * glm::dvec3(this->Sum[Red], this->Sum[Green], this->Sum[Blue]);
+    light.DensityArea = cell * glm::dvec3(this->Sum[Red], this->Sum[Green], this->Sum[Blue]);
     light.Area = cell * this->Sum[Strength] * this->Sum[Strength] / this->Sum[StrengthSquared];
     return light;
   }
@@ -253,8 +252,7 @@ Light MakeNode(const Piece& piece, double limit)
   light.ContactSoftening = light.Area;
   if (limit > 0.0 && piece.Axis >= 0)
   {
-    const double strength =
-      (light.RadianceArea.x + light.RadianceArea.y + light.RadianceArea.z) / 3.0;
+    const double strength = (light.DensityArea.x + light.DensityArea.y + light.DensityArea.z) / 3.0;
     light.ChildDistance = vtkIndirectSenderClusters::FindChildDistance(
       strength, piece.Spread.x + piece.Spread.y, limit);
   }
@@ -312,7 +310,7 @@ void AddLights(const Piece& piece, double limit, vtkIndirectAreaClusters::LightT
 class MinMaxPyramid
 {
 public:
-  // Squares along an edge of the finest level, and of the coarsest that become one light.
+  // Squares along an edge of the finest level.
   static constexpr int Finest = 64;
 
   explicit MinMaxPyramid(const Table& table)
@@ -338,7 +336,7 @@ public:
   // this, and else their quarters.
   void AppendPieces(double difference, int coarsest, std::vector<Piece>& pieces) const
   {
-    this->Append(0, 0, 1, difference, coarsest, pieces);
+    this->Append(0, 0, this->Levels.size() - 1, difference, coarsest, pieces);
   }
 
 private:
@@ -368,11 +366,11 @@ private:
     return range;
   }
   void Append(
-    int x, int y, int edge, double difference, int coarsest, std::vector<Piece>& pieces) const
+    int x, int y, size_t level, double difference, int coarsest, std::vector<Piece>& pieces) const
   {
-    const size_t level = static_cast<size_t>(std::lround(std::log2(Finest / edge)));
+    const int edge = Finest >> level;
     const glm::dvec2& range = this->Levels[level][static_cast<size_t>(y) * edge + x];
-    if (edge == Finest || (edge >= coarsest && range.y - range.x <= difference))
+    if (level == 0 || (edge >= coarsest && range.y - range.x <= difference))
     {
       const Piece piece = this->MakePiece(x, y, edge);
       if (piece.Sum[Strength] > 0.0)
@@ -383,7 +381,7 @@ private:
     }
     for (int i = 0; i < 4; ++i)
     {
-      this->Append(2 * x + i % 2, 2 * y + i / 2, 2 * edge, difference, coarsest, pieces);
+      this->Append(2 * x + i % 2, 2 * y + i / 2, level - 1, difference, coarsest, pieces);
     }
   }
 
@@ -467,15 +465,15 @@ std::vector<vtkIndirectAreaClusters::Light> vtkIndirectAreaClusters::MakeMinMaxL
   };
   // Fewer lights come of a greater difference. The greatest gives no more than asked for, or one
   // for each side.
-  double enough = most;
-  double tooSmall = 0.0;
-  for (int i = 0; i < 20 && !divide(tooSmall); ++i)
+  if (!divide(0.0))
   {
-    const double middle = 0.5 * (tooSmall + enough);
-    (divide(middle) ? enough : tooSmall) = middle;
-  }
-  if (!divide(tooSmall))
-  {
+    double enough = most;
+    double tooSmall = 0.0;
+    for (int i = 0; i < 20; ++i)
+    {
+      const double middle = 0.5 * (tooSmall + enough);
+      (divide(middle) ? enough : tooSmall) = middle;
+    }
     divide(enough);
   }
   LightTree tree;

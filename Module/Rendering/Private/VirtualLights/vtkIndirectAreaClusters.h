@@ -10,7 +10,8 @@
 // area, not that of the dark piece around it.
 #pragma once
 
-#include "VirtualLights/vtkIndirectRectangle.h" // for places
+#include "VirtualLights/vtkIndirectRectangle.h"      // for places
+#include "VirtualLights/vtkIndirectSenderClusters.h" // for lights
 
 #include <vector> // for lists
 
@@ -25,21 +26,9 @@ public:
     int Rows = 1;
     const float* Radiances = nullptr; // three numbers a pixel
   };
-  struct Light
-  {
-    glm::dvec3 Position{ 0.0 };
-    glm::dvec3 Normal{ 0.0, 0.0, 1.0 };
-    double Area = 1.0;
-    glm::dvec3 RadianceArea{ 0.0 };
-    double ChildDistance = 0.0;    // receivers nearer than this sum its branches in its place
-    double ContactSoftening = 1.0; // of a branch, as vtkIndirectSenderClusters::Light has it
-  };
-  struct LightTree
-  {
-    std::vector<Light> Lights;
-    /** As vtkIndirectSenderClusters::LightTree has them. Empty if no light has branches. */
-    std::vector<Light> Branches;
-  };
+  /** DensityArea: radiance times area. */
+  using Light = vtkIndirectSenderClusters::Light;
+  using LightTree = vtkIndirectSenderClusters::LightTree;
 
   /**
    * Makes at most this many lights, but at least one for each side of an image that is not dark.

@@ -3,6 +3,7 @@
 
 #include "VirtualLights/vtkIndirectDirections.h"
 #include "VirtualLights/vtkIndirectRectangle.h"
+#include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkMath.h"
 
@@ -40,24 +41,18 @@ size_t FindNearest(const glm::dvec3& direction, const std::vector<glm::dvec3>& l
   return nearest;
 }
 
-// Returns a number below a power of two with its bits reversed.
-int Reverse(int number, int powerOfTwo)
-{
-  int reversed = 0;
-  for (int bit = 1; bit < powerOfTwo; bit *= 2)
-  {
-    reversed = 2 * reversed + (number & bit ? 1 : 0);
-  }
-  return reversed;
-}
-
 // Returns a place within a part of an area light. Places of all parts also lie in columns and rows
 // of their own, of which there are as many as parts: bars before the light hide a share of the
 // places that is close to the share of the light.
 glm::dvec2 FindPlaceIn(int x, int y, int pieces)
 {
-  return { (x + (Reverse(y, pieces) + 0.5) / pieces) / pieces,
-    (y + (Reverse(x, pieces) + 0.5) / pieces) / pieces };
+  // The numbers of parts along an edge are powers of two.
+  const auto across = [pieces](int other)
+  {
+    const auto bits = vtkIndirectSamplePattern::ReverseBits(static_cast<std::uint32_t>(other));
+    return bits / 4294967296.0 + 0.5 / pieces;
+  };
+  return { (x + across(y)) / pieces, (y + across(x)) / pieces };
 }
 
 // Returns the mean radiance of a part of an area light.
