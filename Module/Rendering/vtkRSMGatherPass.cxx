@@ -109,7 +109,7 @@ void GatherSum::SetUniforms(
   const vtkIndirectProgram& program, const Input& input, bool neighborhood)
 {
   input.Geometry.ActivateReceivers(program, input.Frame);
-  input.Visibility.Activate(input.Frame.Window, program);
+  input.Visibility.Activate(input.Frame.Window, program, input.Creases);
   if (neighborhood)
   {
     input.Maps.Activate(program);

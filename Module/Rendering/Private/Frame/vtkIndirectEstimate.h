@@ -8,6 +8,7 @@
 
 class vtkAreaLight;
 class vtkEnvironmentLight;
+class vtkIndirectCreases;
 class vtkIndirectGeometryBuffer;
 class vtkIndirectReceiverGrid;
 class vtkIndirectSkyProjection;
@@ -43,6 +44,7 @@ struct vtkIndirectEstimateInput
   const vtkIndirectFrame& Frame;
   const vtkIndirectPlan& Plan;
   const vtkIndirectGeometryBuffer& Geometry;
+  vtkIndirectCreases& Creases;             // found by the first stage that asks
   const vtkIndirectLightMaps& Maps;        // without maps where the plan has none
   const vtkIndirectVirtualLights* Lights;  // null if the estimator wants none
   const vtkIndirectVisibility& Visibility; // as the estimator wants it

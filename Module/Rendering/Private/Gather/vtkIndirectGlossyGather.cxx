@@ -36,7 +36,7 @@ bool vtkIndirectGlossyGather::Sum(const vtkIndirectEstimateInput& input, vtkIndi
       input.Geometry.ActivateReceivers(program, frame);
       program->SetUniformf("vtkiStorageScale", static_cast<float>(1.0 / unit));
       input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Specular, program);
-      visibility.Activate(frame.Window, program);
+      visibility.Activate(frame.Window, program, input.Creases);
       if (input.Lights)
       {
         input.Lights->Activate(program);

@@ -119,7 +119,7 @@ bool vtkIndirectLobeGather::Draw(const vtkIndirectEstimateInput& input,
   {
     input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Specular, program);
   }
-  input.Visibility.Activate(frame.Window, program);
+  input.Visibility.Activate(frame.Window, program, input.Creases);
   lights.Activate(program);
   lights.ActivateLobes(program);
   if (interpolates)

@@ -3,6 +3,7 @@
 
 #include "Gather/vtkIndirectSkyGather.h"
 
+#include "Capture/vtkIndirectCreases.h"
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
@@ -297,7 +298,7 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
     return false;
   }
   vtkIndirectFullScreenState kernelState(frame.Window);
-  bool done = true;
+  bool done = !this->Visible || input.Creases.Update(frame, input.Geometry);
   if (this->Summed.empty())
   {
     this->Irradiance.Begin();
@@ -306,7 +307,7 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   }
   else
   {
-    done = this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
+    done = done && this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
       this->FilterColumns(input);
   }
   return done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
@@ -327,6 +328,7 @@ void vtkIndirectSkyGather::Activate(
   if (group && this->Visible)
   {
     group->Atlas.Activate(program);
+    input.Creases.Activate(program);
   }
 }
 

@@ -3,10 +3,12 @@
 
 #include "Gather/vtkIndirectSum.h"
 
+#include "Capture/vtkIndirectCreases.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
+#include "Visibility/vtkIndirectVisibility.h"
 #include "vtkIndirectEstimatorPass.h"
 #include "vtkOpenGLRenderWindow.h"
 
@@ -79,6 +81,10 @@ bool vtkIndirectSum::EndContext(vtkWindow* window)
 vtkIndirectEstimate vtkIndirectSum::MakeEstimate(const Input& input)
 {
   this->EstimateTime.Modified();
+  if (input.Visibility.LooksUpMaps() && !input.Creases.Update(input.Frame, input.Geometry))
+  {
+    return {};
+  }
   return this->Estimate(input);
 }
 

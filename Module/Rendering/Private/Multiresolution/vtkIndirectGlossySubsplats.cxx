@@ -247,7 +247,7 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   this->SetLevelUniforms(program, work, number);
   this->ActivateLevel(program, work, number);
   work.Lights.Activate(program);
-  work.In.Visibility.Activate(window, program);
+  work.In.Visibility.Activate(window, program, work.In.Creases);
   this->Lists.Activate(program);
   program->SetUniformi("vtkiList", static_cast<int>(list));
   program->SetUniformi("vtkiListFirst", this->Lists.GetFirst(list));

@@ -185,7 +185,7 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
     if (!first)
     {
       work.Lights.Activate(program);
-      work.In.Visibility.Activate(work.In.Frame.Window, program);
+      work.In.Visibility.Activate(work.In.Frame.Window, program, work.In.Creases);
     }
     kernel->Draw();
   }
@@ -206,7 +206,7 @@ bool vtkIndirectSubsplatIllumination::EvaluateBlocks(const Work& work)
   }
   this->SetUniforms(program, work);
   work.Lights.Activate(program);
-  work.In.Visibility.Activate(work.In.Frame.Window, program);
+  work.In.Visibility.Activate(work.In.Frame.Window, program, work.In.Creases);
   this->ActivateSurface(program, work);
   kernel.AddImages(work.Target);
   program->SetUniformi("vtkiIrradianceImage", 0);

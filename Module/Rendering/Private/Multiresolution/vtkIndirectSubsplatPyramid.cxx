@@ -110,7 +110,7 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
         if (probe)
         {
           lights.Activate(program);
-          input.Visibility.Activate(frame.Window, program);
+          input.Visibility.Activate(frame.Window, program, input.Creases);
         }
         else
         {

@@ -50,6 +50,7 @@ namespace
 #include "vtkIndirectLibAlbedo.glsl"
 #include "vtkIndirectLibAntialiasing.glsl"
 #include "vtkIndirectLibChannel.glsl"
+#include "vtkIndirectLibCrease.glsl"
 #include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectLibLightMap.glsl"
 #include "vtkIndirectLibTable.glsl"

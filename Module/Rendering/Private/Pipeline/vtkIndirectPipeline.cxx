@@ -266,9 +266,10 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
   this->LastFrameKey = std::move(this->FrameKey);
   this->FrameKey = this->MakeFrameKey();
   this->ChooseLights(request);
-  const vtkIndirectFrameLight::Input input = { this->Frame, this->Plan, this->Geometry, this->Maps,
-    nullptr, this->Bounce.GetVisibility(), false, this->Timer, this->Environment,
-    &this->SkyProjection, &this->ClosedAreaLights };
+  this->Creases.Begin();
+  const vtkIndirectFrameLight::Input input = { this->Frame, this->Plan, this->Geometry,
+    this->Creases, this->Maps, nullptr, this->Bounce.GetVisibility(), false, this->Timer,
+    this->Environment, &this->SkyProjection, &this->ClosedAreaLights };
   for (Part& part : this->Parts)
   {
     if (part.IsAsked)

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "Capture/vtkIndirectCoarseLevels.h"        // for a member
+#include "Capture/vtkIndirectCreases.h"             // for members
 #include "Capture/vtkIndirectGeometryBuffer.h"      // for members
 #include "Capture/vtkSurfaceCapturePass.h"          // for members
 #include "Composite/vtkIndirectAntialiasing.h"      // for members
@@ -156,6 +157,7 @@ private:
   vtkIndirectDepthMaps DepthMaps;
   vtkIndirectPenumbra Penumbra{ this, DepthMaps }; // penumbrae of the maps' lights
   vtkIndirectGeometryBuffer Geometry{ this };
+  vtkIndirectCreases Creases{ this };
   vtkIndirectBounceLight Bounce{ this, Samplers, DepthMaps };
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };

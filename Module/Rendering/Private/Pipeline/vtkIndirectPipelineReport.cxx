@@ -116,8 +116,9 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     return;
   }
   report.BackEndChoices = this->BackEndChoices;
-  report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Antialiasing.GetBytes() +
-    this->SkyMaps.GetBytes() + this->Area.GetBytes() + this->VisibleLamps.GetBytes();
+  report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Creases.GetBytes() +
+    this->Antialiasing.GetBytes() + this->SkyMaps.GetBytes() + this->Area.GetBytes() +
+    this->VisibleLamps.GetBytes();
   report.Changed = this->FrameKey.FindChanges(this->LastFrameKey);
   report.Add(this->Plan.Modelled, this->Plan.LeftOut);
   if (this->Plan.Antialiasing && !this->Antialiasing.GetWhyNot().empty())

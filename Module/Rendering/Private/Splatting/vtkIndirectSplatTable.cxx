@@ -130,7 +130,7 @@ void vtkIndirectSplatTable::Activate(
   const vtkIndirectEstimateInput& input, const vtkIndirectProgram& program) const
 {
   input.Geometry.ActivateReceivers(program, input.Frame);
-  input.Visibility.Activate(input.Frame.Window, program);
+  input.Visibility.Activate(input.Frame.Window, program, input.Creases);
   input.Lights->Activate(program);
   input.Lights->ActivateLobes(program);
   this->Activate(program);

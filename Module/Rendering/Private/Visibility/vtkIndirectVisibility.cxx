@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectVisibility.h"
 
+#include "Capture/vtkIndirectCreases.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectReport.h"
 #include "VirtualLights/vtkIndirectVirtualLights.h"
@@ -331,12 +332,13 @@ std::string vtkIndirectVisibility::GetDefinitions() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectVisibility::Activate(
-  vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const
+void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window,
+  const vtkIndirectProgram& program, const vtkIndirectCreases& creases) const
 {
   if (this->LooksUpMaps())
   {
     this->Atlas.Activate(program);
+    creases.Activate(program);
     if (this->Shares)
     {
       this->Owners.Activate(program, "vtkiTileOwners");

@@ -16,6 +16,7 @@
 #include <string>  // for reasons
 #include <vector>  // for maps
 
+class vtkIndirectCreases;
 class vtkIndirectOccupancyVolume;
 class vtkIndirectSurfaces;
 class vtkIndirectVirtualLights;
@@ -88,7 +89,8 @@ public:
    */
   std::string GetDefinitions() const;
   /** Binds the textures that the definitions' shaders read, or nothing if nothing hides senders. */
-  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program) const;
+  void Activate(vtkOpenGLRenderWindow* window, const vtkIndirectProgram& program,
+    const vtkIndirectCreases& creases) const;
 
   /** Returns the voxels, empty where no stage needs them. */
   const vtkIndirectOccupancyVolume& GetVolume() const { return *this->Volume; }

@@ -11,7 +11,7 @@ void main()
   vec3 irradiance = vec3(0.0f);
   if (vtkiFetchReceiver(pixel, receiver))
   {
-    irradiance = vtkiGather(receiver.position, receiver.normal, receiver.facet);
+    irradiance = vtkiGather(receiver.position, receiver.normal, receiver.facet, pixel);
   }
   gl_FragData[0] = vec4(irradiance, 1.0f);
 }

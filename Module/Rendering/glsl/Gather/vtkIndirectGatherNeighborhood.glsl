@@ -55,11 +55,11 @@ vtkiMapSample vtkiSampleOnCube(int layer, vec4 map, vec3 direction, vec3 pattern
     has ? there : layer, has ? 0.5f * tangents / map.y + 0.5f : vec2(-1.0f), pattern.z * texels);
 }
 
-vec3 vtkiGather(vec3 position, vec3 normal, vec3 facet)
+vec3 vtkiGather(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
 {
   vec3 total = vec3(0.0f);
 #ifdef VTKI_VISIBILITY
-  vec3 open = vtkiOpenPlace(position, normal, facet);
+  vec3 open = vtkiOpenPlace(position, normal, facet, pixel);
 #endif
   for (int layer = 0; layer < vtkiLayerCount; ++layer)
   {

@@ -81,7 +81,7 @@ void vtkiAddBelow(vec3 position, vec3 normal, vec3 open, int light, inout vec3 i
 }
 #endif
 
-vec3 vtkiGather(vec3 position, vec3 normal, vec3 facet)
+vec3 vtkiGather(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
 {
   vec3 total = vec3(0.0f);
 #ifdef VTKI_DIVIDED
@@ -89,7 +89,7 @@ vec3 vtkiGather(vec3 position, vec3 normal, vec3 facet)
 #endif
   vec3 open = position;
 #ifdef VTKI_VISIBILITY
-  open = vtkiOpenPlace(position, normal, facet);
+  open = vtkiOpenPlace(position, normal, facet, pixel);
 #endif
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y; ++row)
   {

@@ -24,7 +24,7 @@ void main()
   // Negative powers are roughnesses of VTK's PBR; only area lights support these.
   if (lit && specular.a >= 0.0f && max(max(specular.r, specular.g), specular.b) > 0.0f)
   {
-    sum = vtkiGather(receiver.position, receiver.normal, receiver.facet);
+    sum = vtkiGather(receiver.position, receiver.normal, receiver.facet, pixel);
   }
   gl_FragData[0] = vec4(sum * vtkiStorageScale, 1.0f);
 }

@@ -86,7 +86,7 @@ void main()
   float variation = 0.0f;
   if (wanted)
   {
-    vtkiLobeSum sums = vtkiSumLobes(receiver.position, receiver.normal, receiver.facet, radius);
+    vtkiLobeSum sums = vtkiSumLobes(receiver.position, receiver.normal, receiver.facet, pixel, radius);
     light = sums.light;
     variation = sums.variation;
   }

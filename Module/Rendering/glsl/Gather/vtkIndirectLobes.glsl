@@ -49,12 +49,12 @@ void vtkiAddLobe(vec3 position, vec3 normal, vec3 open, float radius, int light,
   sum.variation += brightest * variation;
 }
 
-vtkiLobeSum vtkiSumLobes(vec3 position, vec3 normal, vec3 facet, float radius)
+vtkiLobeSum vtkiSumLobes(vec3 position, vec3 normal, vec3 facet, ivec2 pixel, float radius)
 {
   vtkiLobeSum total = vtkiLobeSum(vec3(0.0f), 0.0f);
   vec3 open = position;
 #ifdef VTKI_VISIBILITY
-  open = vtkiOpenPlace(position, normal, facet);
+  open = vtkiOpenPlace(position, normal, facet, pixel);
 #endif
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y; ++row)
   {

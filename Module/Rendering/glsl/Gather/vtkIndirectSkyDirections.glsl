@@ -4,6 +4,7 @@
 // few strong directions make the sky.
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectLibDepthTile.glsl"
+#include "vtkIndirectCrease.glsl"
 
 layout(std140) uniform vtkiSkyBlock
 {
@@ -63,7 +64,8 @@ vec2 vtkiLookUpSky(vec2 first, vec2 at, vec2 centre, float depth, float facing, 
 // the receiver's plane. Directions below that plane and above the shading normal's horizon take no
 // part: the curved surface that facets approximate does not hide them. Nor do directions whose tile
 // does not answer: the others represent them.
-vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet)
+vec4 vtkiFromSky(
+  vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet, vtkiCrease crease)
 {
   float facing = max(-dot(normal, sky.down.xyz), 0.0f);
 #ifndef VTKI_FILTERED
@@ -90,6 +92,7 @@ vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet)
 #else
   answer = vtkiLookUpSky(tile, at, floor(at) + 0.5f, depth, open, slope, sky.halfTexel);
 #endif
+  answer.x = vtkiHidesInCrease(crease, position, -sky.down.xyz) ? 0.0f : answer.x;
 #endif
   return facing * vec4(answer.x * sky.light.rgb, answer.y * sky.light.w);
 }

@@ -30,6 +30,7 @@ void main()
   vec3 position[VTKI_SKY_PIXELS];
   vec3 normal[VTKI_SKY_PIXELS];
   vec3 facet[VTKI_SKY_PIXELS];
+  vtkiCrease crease[VTKI_SKY_PIXELS];
   bool lit[VTKI_SKY_PIXELS];
   vec4 sum[VTKI_SKY_PIXELS];
   bool any = false;
@@ -45,6 +46,7 @@ void main()
     position[k] = receiver.position;
     normal[k] = receiver.normal;
     facet[k] = receiver.facet;
+    crease[k] = vtkiFetchCrease(pixel);
     sum[k] = vec4(0.0f);
     any = any || lit[k];
   }
@@ -54,7 +56,7 @@ void main()
     vtkiSkyDirection sky = vtkiFetchSkyDirection(i);
     for (int k = 0; k < VTKI_SKY_PIXELS; ++k)
     {
-      sum[k] += vtkiFromSky(sky, position[k], normal[k], facet[k]);
+      sum[k] += vtkiFromSky(sky, position[k], normal[k], facet[k], crease[k]);
     }
   }
   gl_FragData[0] = lit[0] ? sum[0] : vec4(0.0f);

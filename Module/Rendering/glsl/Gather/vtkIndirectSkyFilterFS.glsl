@@ -111,10 +111,11 @@ void main()
   bool covered = !lit || sum.w >=
       VTKI_SKY_COVERAGE * open.g * 0.5f * (1.0f + dot(receiver.normal, receiver.facet));
   vec4 own = vec4(0.0f);
+  vtkiCrease crease = vtkiFetchCrease(pixel);
   int count = covered ? 0 : vtkiSkyCount;
   for (int i = 0; i < count; ++i)
   {
-    own += vtkiFromSky(vtkiFetchSkyDirection(i), receiver.position, receiver.normal, receiver.facet);
+    own += vtkiFromSky(vtkiFetchSkyDirection(i), receiver.position, receiver.normal, receiver.facet, crease);
   }
   sum = covered ? sum : own;
 #endif

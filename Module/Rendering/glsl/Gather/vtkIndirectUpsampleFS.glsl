@@ -26,6 +26,6 @@ void main()
   }
   else
   {
-    gl_FragData[0] = vec4(vtkiGather(receiver.position, receiver.normal, receiver.facet), 1.0f);
+    gl_FragData[0] = vec4(vtkiGather(receiver.position, receiver.normal, receiver.facet, pixel), 1.0f);
   }
 }

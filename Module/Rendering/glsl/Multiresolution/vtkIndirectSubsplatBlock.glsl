@@ -38,7 +38,7 @@ void vtkiEvaluateChild(ivec2 block, int child, bool exists)
   bool wanted = vtkiFetchLeaf(texel, position, normal, facet) && exists;
   vec3 irradiance;
   vec3 vectorIrradiance;
-  vtkiEvaluateSubsplat(position, normal, facet, wanted, irradiance, vectorIrradiance);
+  vtkiEvaluateSubsplat(position, normal, facet, vtkiPixelOfLeaf(texel), wanted, irradiance, vectorIrradiance);
   if (wanted)
   {
     vtkiStoreLeaf(texel, normal, irradiance, vectorIrradiance);
@@ -47,6 +47,10 @@ void vtkiEvaluateChild(ivec2 block, int child, bool exists)
 #else
 #ifdef VTKI_SHARES_LOOKS
 #include "vtkIndirectSubsplatLooks.glsl"
+#endif
+
+#ifdef VTKI_DEPTH_TILES
+vtkiCrease vtkiCreasesOfBlocks[4 * VTKI_BLOCKS]; // of the receivers
 #endif
 
 #ifdef VTKI_SHARES_LOOKS
@@ -85,6 +89,14 @@ void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 *
     share[i] = vtkiIsSenderVisible(light, vtkiOpenPlace(position[i], normal[i], facet[i]), position[i], normal[i], sender,
       senderNormal.xyz, true) ? 1.0f : 0.0f;
 #endif
+  }
+#endif
+#ifdef VTKI_DEPTH_TILES
+  for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
+  {
+    bool hidden = sender.w >= 0.0f &&
+      vtkiHidesInCrease(vtkiCreasesOfBlocks[i], position[i], sender.xyz - position[i]);
+    share[i] = hidden ? 0.0f : share[i];
   }
 #endif
 }
@@ -181,6 +193,9 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     wanted[i] = vtkiFetchLeaf(texel, position[i], normal[i], facet[i]) && exists[i >> 2];
     irradiance[i] = vec3(0.0f);
     vectorIrradiance[i] = vec3(0.0f);
+#ifdef VTKI_DEPTH_TILES
+    vtkiCreasesOfBlocks[i] = vtkiFetchCrease(vtkiPixelOfLeaf(texel));
+#endif
   }
 #ifdef VTKI_DIVIDED
   vtkiStartSights();

@@ -25,7 +25,7 @@ void main()
 #ifdef VTKI_EVALUATE
   vec3 evaluated;
   vec3 evaluatedVector;
-  vtkiEvaluateStored(position, normal, vtkiTexelFacet(texel, normal), leaf, evaluated, evaluatedVector);
+  vtkiEvaluateStored(position, normal, vtkiTexelFacet(texel, normal), vtkiTexelPixel(texel), leaf, evaluated, evaluatedVector);
   irradiance = leaf ? evaluated : irradiance;
   vectorIrradiance = leaf ? evaluatedVector : vectorIrradiance;
 #else

@@ -8,7 +8,7 @@
 #ifdef VTKI_VISIBILITY
 #include "vtkIndirectVisibility.glsl"
 #else
-vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
+vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
 {
   return position;
 }
@@ -121,11 +121,11 @@ void vtkiAddWholeLight(vec3 position, vec3 normal, vec3 open, int light, vec4 se
 
 // Irradiance, and the luminance of the vector irradiance; if not wanted, zero without any work.
 void vtkiEvaluateSubsplat(
-  vec3 position, vec3 normal, vec3 facet, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
+  vec3 position, vec3 normal, vec3 facet, ivec2 pixel, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
 {
   irradiance = vec3(0.0f);
   vectorIrradiance = vec3(0.0f);
-  vec3 open = vtkiOpenPlace(position, normal, facet);
+  vec3 open = vtkiOpenPlace(position, normal, facet, pixel);
   int count = wanted ? vtkiLightCount : 0;
 #ifdef VTKI_DIVIDED
   vtkiStartSight();

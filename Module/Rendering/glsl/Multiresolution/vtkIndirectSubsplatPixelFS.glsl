@@ -31,7 +31,7 @@ void main()
   bool evaluate = (vtkiSplits && split) || !interpolated;
   vec3 evaluated;
   vec3 evaluatedVector;
-  vtkiEvaluateStored(position, normal, vtkiSurfaceFacet(surface), evaluate, evaluated, evaluatedVector);
+  vtkiEvaluateStored(position, normal, vtkiSurfaceFacet(surface), pixel, evaluate, evaluated, evaluatedVector);
   irradiance = evaluate ? evaluated : irradiance;
 #else
   irradiance = vtkiSplits && split ? vec3(0.0f) : irradiance;

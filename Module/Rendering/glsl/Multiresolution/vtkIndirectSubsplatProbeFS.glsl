@@ -47,7 +47,8 @@ void main()
   position = (vtkiViewToScene * vec4(position, 1.0f)).xyz;
   vec3 normal = mat3(vtkiViewToScene) * vtkiSurfaceNormal(surface);
   bool lit = vtkiSurfaceIsLit(surface);
-  vec3 open = vtkiOpenPlace(position, normal, mat3(vtkiViewToScene) * vtkiSurfaceFacet(surface));
+  vec3 open = vtkiOpenPlace(position, normal, mat3(vtkiViewToScene) * vtkiSurfaceFacet(surface),
+    vtkiTexelPixel(ivec2(gl_FragCoord.xy)));
   vtkiProbeSums sums = vtkiProbeSums(
     0.0f, 0.0f, 1.0f, 0.0f, vec4(position, 1.0f), vec4(0.0f, 0.0f, 1.0f, 0.0f));
   int count = lit ? vtkiBlockCount : 0;

@@ -16,6 +16,12 @@ vec3 vtkiTexelPosition(ivec2 texel, float depth)
   return vtkiReconstruct(center, depth, vtkiRayOrigin, vtkiRayDirection);
 }
 
+// The pixel in a texel's middle.
+ivec2 vtkiTexelPixel(ivec2 texel)
+{
+  return min(ivec2(vtkiEdge * (vec2(texel) + 0.5f)), vtkiSize - 1);
+}
+
 // The facet's normal in the middle of a texel, if that is on the texel's surface; levels store only
 // mean normals.
 vec3 vtkiTexelFacet(ivec2 texel, vec3 normalVC)
@@ -29,10 +35,10 @@ vec3 vtkiTexelFacet(ivec2 texel, vec3 normalVC)
 
 // The sum over the lights as stored; the vector is in view coordinates, as receivers' normals are.
 void vtkiEvaluateStored(
-  vec3 positionVC, vec3 normalVC, vec3 facetVC, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
+  vec3 positionVC, vec3 normalVC, vec3 facetVC, ivec2 pixel, bool wanted, out vec3 irradiance, out vec3 vectorIrradiance)
 {
   vec3 position = (vtkiViewToScene * vec4(positionVC, 1.0f)).xyz;
-  vtkiEvaluateSubsplat(position, mat3(vtkiViewToScene) * normalVC, mat3(vtkiViewToScene) * facetVC, wanted,
+  vtkiEvaluateSubsplat(position, mat3(vtkiViewToScene) * normalVC, mat3(vtkiViewToScene) * facetVC, pixel, wanted,
     irradiance, vectorIrradiance);
   irradiance *= vtkiStorageScale;
   vectorIrradiance = (vectorIrradiance * mat3(vtkiViewToScene)) * vtkiStorageScale;

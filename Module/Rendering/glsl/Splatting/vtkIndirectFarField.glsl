@@ -8,10 +8,10 @@ struct vtkiFarField
   vec3 vector;     // luminance of the vector irradiance of the light cut off
 };
 
-vtkiFarField vtkiSumFarField(vec3 position, vec3 normal, vec3 facet, int first, int end)
+vtkiFarField vtkiSumFarField(vec3 position, vec3 normal, vec3 facet, ivec2 pixel, int first, int end)
 {
   float low = vtkiSplatLow();
-  vec3 open = vtkiSplatOpenPlace(position, normal, facet);
+  vec3 open = vtkiSplatOpenPlace(position, normal, facet, pixel);
   vtkiFarField sum = vtkiFarField(vec3(0.0f), 0.0f, vec3(0.0f));
   for (int light = first; light < end; ++light)
   {

@@ -61,7 +61,7 @@ void main()
 #ifndef VTKI_SPLAT_MANY
     else
     {
-      left = vtkiSumFarField(receiver.position, receiver.normal, receiver.facet, 0, vtkiLightCount).irradiance;
+      left = vtkiSumFarField(receiver.position, receiver.normal, receiver.facet, pixel, 0, vtkiLightCount).irradiance;
     }
 #endif
   }

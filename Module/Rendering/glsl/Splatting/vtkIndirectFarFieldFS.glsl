@@ -11,7 +11,7 @@ void main()
   vtkiFarField sum = vtkiFarField(vec3(0.0f), 0.0f, vec3(0.0f));
   if (vtkiFetchReceiver(pixel, receiver))
   {
-    sum = vtkiSumFarField(receiver.position, receiver.normal, receiver.facet, vtkiLightRows.x * VTKI_ROW_LENGTH,
+    sum = vtkiSumFarField(receiver.position, receiver.normal, receiver.facet, pixel, vtkiLightRows.x * VTKI_ROW_LENGTH,
       min(vtkiLightRows.y * VTKI_ROW_LENGTH, vtkiLightCount));
   }
   gl_FragData[0] = vec4(sum.irradiance, sum.all);

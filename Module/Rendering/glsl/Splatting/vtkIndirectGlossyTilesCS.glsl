@@ -125,7 +125,7 @@ void main()
   vec3 open = receiver.position;
   if (wanted)
   {
-    open = vtkiSplatOpenPlace(receiver.position, receiver.normal, receiver.facet);
+    open = vtkiSplatOpenPlace(receiver.position, receiver.normal, receiver.facet, min(pixel, vtkiSize - 1));
   }
   vec3 total = vec3(0.0f);
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y && any; ++row)

@@ -19,7 +19,7 @@ void main()
   vec3 irradiance = vec3(0.0f);
   if (vtkiFetchReceiver(ivec2(gl_FragCoord.xy), receiver))
   {
-    vec3 open = vtkiSplatOpenPlace(receiver.position, receiver.normal, receiver.facet);
+    vec3 open = vtkiSplatOpenPlace(receiver.position, receiver.normal, receiver.facet, ivec2(gl_FragCoord.xy));
 #ifdef VTKI_SPLAT_LOBES
     irradiance = vtkiSplatLobe(receiver.position, receiver.normal, open, vtkiSplatNumber, vtkiSplatPosition,
       vtkiSplatNormal.xyz, vtkiSplatDirection, vtkiSplatDensity.rgb, vtkiSplatDensity.a);

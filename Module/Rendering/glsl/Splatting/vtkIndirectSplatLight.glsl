@@ -96,10 +96,10 @@ vec3 vtkiSplatSender(
   return irradiance;
 }
 
-vec3 vtkiSplatOpenPlace(vec3 position, vec3 normal, vec3 facet)
+vec3 vtkiSplatOpenPlace(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
 {
 #ifdef VTKI_VISIBILITY
-  return vtkiOpenPlace(position, normal, facet);
+  return vtkiOpenPlace(position, normal, facet, pixel);
 #else
   return position;
 #endif

@@ -36,7 +36,7 @@ void main()
   vec3 open = receiver.position;
   if (lit)
   {
-    open = vtkiSplatOpenPlace(receiver.position, receiver.normal, receiver.facet);
+    open = vtkiSplatOpenPlace(receiver.position, receiver.normal, receiver.facet, min(pixel, vtkiSize - 1));
   }
   vec4 total = vec4(0.0f);
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y && any; ++row)

@@ -3,11 +3,22 @@
 // VTKI_SPHERE_SEGMENTS by spheres, which the voxels do not contain.
 #ifdef VTKI_DEPTH_TILES
 #include "vtkIndirectDepthTiles.glsl"
+#include "vtkIndirectCrease.glsl"
+
+// Of the receiver; without a pixel it has none.
+vtkiCrease vtkiReceiverCrease = vtkiCrease(vec3(0.0f), 0.0f, 0.0f);
 
 // The receiver's data, beside its position, for look-ups: the normal of its facet, which the maps
 // hold.
 vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
 {
+  return facet;
+}
+
+// The same for a receiver at a pixel, whose crease hides lights.
+vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
+{
+  vtkiReceiverCrease = vtkiFetchCrease(pixel);
   return facet;
 }
 
@@ -40,8 +51,9 @@ vtkiTile vtkiFetchTile(int light, vec3 place, vec3 axis)
 bool vtkiIsSenderVisible(
   int light, vec3 facet, vec3 position, vec3 normal, vec4 sender, vec3 senderNormal, bool test)
 {
-  return vtkiIsSeenInTile(vtkiFetchTile(light, sender.xyz, senderNormal), position, facet) ||
-    sender.w < 0.0f;
+  return sender.w < 0.0f ||
+    (vtkiIsSeenInTile(vtkiFetchTile(light, sender.xyz, senderNormal), position, facet) &&
+      !vtkiHidesInCrease(vtkiReceiverCrease, position, sender.xyz - position));
 }
 #else
 #ifdef VTKI_SPHERE_SEGMENTS
@@ -144,6 +156,11 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal)
 #endif
 
 vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
+{
+  return vtkiOpenPlace(position, normal);
+}
+
+vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
 {
   return vtkiOpenPlace(position, normal);
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The surface that each pixel's own surface meets in a concave crease near by, for stages whose
+// depth maps let light into creases; see glsl/lib/vtkIndirectLibCrease.glsl. Kept for a frame.
+#pragma once
+
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
+#include "OpenGL/vtkIndirectTarget.h"            // for a member
+
+class vtkIndirectGeometryBuffer;
+struct vtkIndirectFrame;
+
+class vtkIndirectCreases : public vtkIndirectResource
+{
+public:
+  explicit vtkIndirectCreases(vtkIndirectResource* owner);
+
+  /** Forgets the creases of the last frame. */
+  void Begin() { this->AreFound = false; }
+  /**
+   * Finds the creases of the frame's surfaces, if no stage has asked for them before. Returns
+   * false, after an error, when OpenGL refuses.
+   */
+  bool Update(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
+  /** Binds the creases, for shaders that include vtkIndirectCrease.glsl. */
+  void Activate(const vtkIndirectProgram& program) const { this->Target.Activate(0, program); }
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
+
+private:
+  vtkIndirectTarget Target;
+  vtkIndirectFullScreenProgram Kernel{ this, "vtkIndirectCreaseFS.glsl" };
+  bool AreFound = false;
+};

@@ -1,0 +1,133 @@
+//VTK::System::Dec
+//VTK::Output::Dec
+// Finds the nearest surface around each pixel that meets the pixel's own in a concave crease, and how
+// far the other surface goes on; see vtkIndirectLibCrease.glsl. Both must be flat: the planes of
+// curved surfaces and of relief hide too much.
+#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectLibCrease.glsl"
+
+// Distances in the image at which the other surface is looked for, in pixels: the least, four times
+// the least and so on, up to half the reach.
+const int VTKI_CREASE_NEAR = 2;
+const int VTKI_CREASE_FAR = 8;
+const int VTKI_CREASE_FARTHEST = 64;
+// Halvings of the other surface's extent until its border is beyond.
+const int VTKI_CREASE_HALVINGS = 4;
+// Least height of another surface over the receiver's plane, over its distance in the image.
+const float VTKI_CREASE_RISE = 0.05f;
+
+// One of the eight pixels at a distance, kept within the image.
+ivec2 vtkiPixelBeside(ivec2 pixel, int i, int distance)
+{
+  int turn = i < 4 ? i : i + 1;
+  return clamp(pixel + (ivec2(turn % 3, turn / 3) - 1) * distance, ivec2(0), vtkiSize - 1);
+}
+
+// Returns false where no lit surface was drawn, or beyond the image.
+bool vtkiFetchNeighbor(ivec2 at, out vec3 position, out vec3 facet)
+{
+  vec2 place = (vec2(at) + 0.5f) / vec2(vtkiSize);
+  vec4 surface = textureLod(vtkiSurface, place, 0.0f);
+  position =
+    vtkiReconstruct(2.0f * place - 1.0f, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
+  facet = vtkiSurfaceFacet(surface);
+  return vtkiSurfaceIsLit(surface) && clamp(at, ivec2(0), vtkiSize - 1) == at;
+}
+
+// True if the surface at a pixel goes on as a plane to the pixel that lies `way` further on, or at
+// the image's border beside it.
+bool vtkiIsFlatAround(ivec2 at, ivec2 way, vec3 position, vec3 facet)
+{
+  ivec2 ahead = clamp(at + way, ivec2(0), vtkiSize - 1);
+  ivec2 beside = clamp(at + way.yx, ivec2(0), vtkiSize - 1);
+  vec3 further;
+  vec3 furtherFacet;
+  return vtkiFetchNeighbor(ahead == at ? beside : ahead, further, furtherFacet) &&
+    vtkiIsFlat(facet, furtherFacet, further - position);
+}
+
+// The pixel that shows a place near the receiver, kept within the image. offset: from the receiver.
+ivec2 vtkiPixelOf(vtkiReceiver receiver, vec3 offset)
+{
+  vec3 ndc = vec3(2.0f * gl_FragCoord.xy / vec2(vtkiSize) - 1.0f, 1.0f);
+  vec2 aside = offset.xy + offset.z * (vtkiRayDirection * ndc).xy;
+  float depth = receiver.depth - offset.z;
+  vec2 halfSize = vec2(vtkiRayOrigin[0].x + depth * vtkiRayDirection[0].x,
+    vtkiRayOrigin[1].y + depth * vtkiRayDirection[1].y);
+  vec2 place = gl_FragCoord.xy + 0.5f * vec2(vtkiSize) * aside / halfSize;
+  return clamp(ivec2(floor(place)), ivec2(0), vtkiSize - 1);
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vtkiReceiver receiver;
+  bool lit = vtkiFetchReceiver(pixel, receiver);
+  float width =
+    length((vtkiRayOrigin[0] + receiver.depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x)));
+  int far = clamp(int(0.5f * VTKI_CREASE_REACH / width), VTKI_CREASE_FAR, VTKI_CREASE_FARTHEST);
+  int rings = 2 + int(far > 4 * VTKI_CREASE_NEAR) + int(far > 16 * VTKI_CREASE_NEAR);
+  // Without a surface that rises over the receiver's plane there is no crease. In software only
+  // loops save the look-ups of pixels without a crease.
+  bool rises = false;
+  for (int i = 0; i < (lit ? 8 : 0); ++i)
+  {
+    vec3 position;
+    vec3 facet;
+    bool there = vtkiFetchNeighbor(vtkiPixelBeside(pixel, i, far), position, facet);
+    float height = dot(receiver.facetVC, position - receiver.positionVC);
+    rises = rises || (there && height > VTKI_CREASE_RISE * width * float(far));
+  }
+  float nearest = 16.0f * VTKI_CREASE_REACH * VTKI_CREASE_REACH;
+  vec3 offset = vec3(0.0f);
+  vec3 normal = vec3(0.0f);
+  for (int i = 0; i < (rises ? rings : 0) * 8; ++i)
+  {
+    int distance = min(VTKI_CREASE_NEAR << (2 * (i >> 3)), far);
+    ivec2 at = vtkiPixelBeside(pixel, i & 7, distance);
+    ivec2 way = at - pixel;
+    vec3 position;
+    vec3 facet;
+    bool there = vtkiFetchNeighbor(at, position, facet);
+    vec3 apart = position - receiver.positionVC;
+    float apart2 = dot(apart, apart);
+    bool meets = there && apart2 < nearest &&
+      vtkiMeetsInCrease(receiver.facetVC, facet, apart);
+    for (int k = 0; k < (meets ? 1 : 0); ++k)
+    {
+      meets = vtkiIsFlatAround(at, way, position, facet) &&
+        vtkiIsFlatAround(pixel, -way, receiver.positionVC, receiver.facetVC);
+    }
+    nearest = meets ? apart2 : nearest;
+    offset = meets ? apart : offset;
+    normal = meets ? facet : normal;
+  }
+  float extent = VTKI_CREASE_REACH;
+  vec3 outwards = normalize(receiver.facetVC - dot(receiver.facetVC, normal) * normal);
+  vec3 along = cross(normal, outwards);
+  // The other surface, or one that stands on it, is there before the receiver and to both sides.
+  bool present = false;
+  bool found = normal != vec3(0.0f);
+  for (int halving = 0; halving < VTKI_CREASE_HALVINGS && found && !present; ++halving)
+  {
+    bool whole = true;
+    for (int side = -1; side < 2; ++side)
+    {
+      vec3 place = dot(offset, normal) * normal +
+        extent * ((side == 0 ? 1.0f : 0.25f) * outwards + float(side) * along);
+      vec3 seen;
+      vec3 seenFacet;
+      bool there = vtkiFetchNeighbor(vtkiPixelOf(receiver, place), seen, seenFacet);
+      seen -= receiver.positionVC;
+      whole = whole && there && (side != 0 || dot(receiver.facetVC, seen) > 0.1f * extent) &&
+        dot(normal, seen - offset) > -VTKI_CREASE_ROUNDING - VTKI_CREASE_FLAT_HEIGHT * extent;
+    }
+    present = whole;
+    extent = present ? extent : 0.5f * extent;
+  }
+  // The plane goes with the normal as packed.
+  float code = vtkiPackNormal(mat3(vtkiViewToScene) * normal, VTKI_SURFACE_LINEAR);
+  vec3 position = (vtkiViewToScene * vec4(receiver.positionVC + offset, 1.0f)).xyz;
+  float plane = dot(vtkiOctahedralDecode(vtkiUnpackCode(code)), position);
+  gl_FragData[0] = present ? vec4(code, plane, extent * extent, 1.0f) : vec4(0.0f);
+}
