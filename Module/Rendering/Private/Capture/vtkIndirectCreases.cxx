@@ -31,10 +31,22 @@ bool vtkIndirectCreases::Update(
   {
     return true;
   }
+  if (!this->Target.Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  {
+    return false;
+  }
   vtkIndirectFullScreenState kernelState(frame.Window);
-  this->AreFound = this->Target.Resize(frame.Window, frame.Size[0], frame.Size[1]) &&
-    this->Kernel.Run(frame.Window, this->Target,
-      [&](const vtkIndirectProgram& program) { geometry.ActivateReceivers(program, frame); });
+  // The picture does not tell which receivers cast no shadows.
+  if (frame.NumberOfOtherReceivers > 0)
+  {
+    this->Target.Begin();
+    this->Target.Clear();
+    this->Target.End();
+    this->AreFound = true;
+    return true;
+  }
+  this->AreFound = this->Kernel.Run(frame.Window, this->Target,
+    [&](const vtkIndirectProgram& program) { geometry.ActivateReceivers(program, frame); });
   return this->AreFound;
 }
 

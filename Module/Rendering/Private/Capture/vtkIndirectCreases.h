@@ -18,7 +18,8 @@ public:
   void Begin() { this->AreFound = false; }
   /**
    * Finds the creases of the frame's surfaces, if no stage has asked for them before. Returns
-   * false, after an error, when OpenGL refuses.
+   * false, after an error, when OpenGL refuses. A frame with lit props that cast no shadows has no
+   * creases.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
   /** Binds the creases, for shaders that include vtkIndirectCrease.glsl. */
