@@ -46,7 +46,8 @@ bool vtkiIsFlatAround(ivec2 at, ivec2 way, vec3 position, vec3 facet)
     vtkiIsFlat(facet, furtherFacet, further - position);
 }
 
-// The pixel that shows a place near the receiver, kept within the image. offset: from the receiver.
+// The pixel that shows a place near the receiver; for places just beyond the image a pixel of its
+// border. offset: from the receiver.
 ivec2 vtkiPixelOf(vtkiReceiver receiver, vec3 offset)
 {
   vec3 ndc = vec3(2.0f * gl_FragCoord.xy / vec2(vtkiSize) - 1.0f, 1.0f);
@@ -55,7 +56,9 @@ ivec2 vtkiPixelOf(vtkiReceiver receiver, vec3 offset)
   vec2 halfSize = vec2(vtkiRayOrigin[0].x + depth * vtkiRayDirection[0].x,
     vtkiRayOrigin[1].y + depth * vtkiRayDirection[1].y);
   vec2 place = gl_FragCoord.xy + 0.5f * vec2(vtkiSize) * aside / halfSize;
-  return clamp(ivec2(floor(place)), ivec2(0), vtkiSize - 1);
+  vec2 inside = clamp(place, vec2(0.5f), vec2(vtkiSize) - 0.5f);
+  vec2 beyond = abs(place - inside);
+  return max(beyond.x, beyond.y) > float(VTKI_CREASE_FAR) ? ivec2(-1) : ivec2(inside);
 }
 
 void main()
