@@ -8,8 +8,8 @@ With --figure: plots the time of cornell_box by the number of hints, samples, bo
 order 2 and order 3, over that of the paper's usual settings (its figure 10).
 
 Else prints a Markdown table for rooms of any number of triangles: the paper's settings, grids and
-numbers of samples (its table 2) in procedural rooms, milliseconds to bring the first bounce to the hints, for the second, and for
-look-up and interpolation, with order 2 and with order 3, and the ratio of their sums. Frames of the
+numbers of samples (its table 2) in procedural rooms, milliseconds to bring the first bounce to the
+hints, for the second, and for look-up and interpolation, with order 2 and with order 3, and the ratio of their sums. Frames of the
 two alternate in one run on one window, so that other load falls on both alike: only ratios are
 results, and times beside them tell how long it took here. Light is brought to the hints anew in
 every frame; maps and surfaces stay. Times are medians over rounds.

@@ -20,8 +20,9 @@ WHITE = (0.9, 0.9, 0.9)
 MOST = {"ball": (0.0003, 0.002), "box": (0.0004, 0.0015), "cylinder": (0.0004, 0.0025)}
 """Mean irradiance inside from the sky and by bounces, over that of the open sky (sky: 0.00015,
 0.00015 and 0.00023 measured, bounces: 0.0019, 0.0008 and 0.0019). Without the planes of creases
-lines of light as wide as a map's bias remain, 0.0014 of the sky in the box and 0.0043 by bounces. Clusters that reach through the plane of a wall light that wall by the
-share of other near clusters that the wall sees, here none, and by a guess that nothing is hidden."""
+lines of light as wide as a map's bias remain, 0.0014 of the sky in the box and 0.0043 by bounces.
+Clusters that reach through the plane of a wall light that wall by the share of other near clusters
+that the wall sees, here none, and by a guess that nothing is hidden."""
 
 
 def bodies() -> dict[str, vtkAlgorithm]:

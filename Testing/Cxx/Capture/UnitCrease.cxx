@@ -10,8 +10,8 @@ using namespace vtkIndirectKernels;
 
 VTK_INDIRECT_TEST(CreaseHides)
 {
-  // A wall at right angles to a floor, both turned at random. The oracle is the place where the
-  // segment meets the floor. Segments within rounding of a limit are left out.
+  // A receiver over a floor that is turned at random. The oracle is the place where a segment from
+  // the receiver meets the floor. Segments within rounding of a limit are left out.
   Random random(11);
   const double extent = 0.015;
   int wrong = 0;

@@ -43,10 +43,12 @@ bool vtkIndirectCreases::Update(
     this->Target.Clear();
     this->Target.End();
     this->AreFound = true;
-    return true;
   }
-  this->AreFound = this->Kernel.Run(frame.Window, this->Target,
-    [&](const vtkIndirectProgram& program) { geometry.ActivateReceivers(program, frame); });
+  else
+  {
+    this->AreFound = this->Kernel.Run(frame.Window, this->Target,
+      [&](const vtkIndirectProgram& program) { geometry.ActivateReceivers(program, frame); });
+  }
   return this->AreFound;
 }
 

@@ -3,7 +3,8 @@
 // Finds the nearest surface around each pixel that meets the pixel's own in a concave crease, and how
 // far the other surface goes on; see vtkIndirectLibCrease.glsl. Both must be flat: the planes of
 // curved surfaces and of relief hide too much.
-#include "vtkIndirectReceiver.glsl"
+#define VTKI_STEP 1
+#include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectLibCrease.glsl"
 
 // Distances in the image at which the other surface is looked for, in pixels: the least, four times
@@ -26,12 +27,11 @@ ivec2 vtkiPixelBeside(ivec2 pixel, int i, int distance)
 // Returns false where no lit surface was drawn, or beyond the image.
 bool vtkiFetchNeighbor(ivec2 at, out vec3 position, out vec3 facet)
 {
-  vec2 place = (vec2(at) + 0.5f) / vec2(vtkiSize);
-  vec4 surface = textureLod(vtkiSurface, place, 0.0f);
-  position =
-    vtkiReconstruct(2.0f * place - 1.0f, vtkiSurfaceDepth(surface), vtkiRayOrigin, vtkiRayDirection);
-  facet = vtkiSurfaceFacet(surface);
-  return vtkiSurfaceIsLit(surface) && clamp(at, ivec2(0), vtkiSize - 1) == at;
+  vtkiReceiver neighbor;
+  bool lit = vtkiFetchReceiver(at, neighbor);
+  position = neighbor.positionVC;
+  facet = neighbor.facetVC;
+  return lit && clamp(at, ivec2(0), vtkiSize - 1) == at;
 }
 
 // True if the surface at a pixel goes on as a plane to the pixel that lies `way` further on, or at
@@ -66,8 +66,7 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver);
-  float width =
-    length((vtkiRayOrigin[0] + receiver.depth * vtkiRayDirection[0]) * (2.0f / float(vtkiSize.x)));
+  float width = vtkiSampleDistance(receiver.depth);
   int far = clamp(int(0.5f * VTKI_CREASE_REACH / width), VTKI_CREASE_FAR, VTKI_CREASE_FARTHEST);
   int rings = 2 + int(far > 4 * VTKI_CREASE_NEAR) + int(far > 16 * VTKI_CREASE_NEAR);
   // Without a surface that rises over the receiver's plane there is no crease. In software only

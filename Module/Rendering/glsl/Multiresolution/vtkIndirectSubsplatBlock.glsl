@@ -38,7 +38,7 @@ void vtkiEvaluateChild(ivec2 block, int child, bool exists)
   bool wanted = vtkiFetchLeaf(texel, position, normal, facet) && exists;
   vec3 irradiance;
   vec3 vectorIrradiance;
-  vtkiEvaluateSubsplat(position, normal, facet, vtkiPixelOfLeaf(texel), wanted, irradiance, vectorIrradiance);
+  vtkiEvaluateSubsplat(position, normal, facet, vtkiTexelPixel(texel), wanted, irradiance, vectorIrradiance);
   if (wanted)
   {
     vtkiStoreLeaf(texel, normal, irradiance, vectorIrradiance);
@@ -194,7 +194,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     irradiance[i] = vec3(0.0f);
     vectorIrradiance[i] = vec3(0.0f);
 #ifdef VTKI_DEPTH_TILES
-    vtkiCreasesOfBlocks[i] = vtkiFetchCrease(vtkiPixelOfLeaf(texel));
+    vtkiCreasesOfBlocks[i] = vtkiFetchCrease(vtkiTexelPixel(texel));
 #endif
   }
 #ifdef VTKI_DIVIDED

@@ -1,16 +1,6 @@
 // A leaf under a split texel: with VTKI_PIXELS a pixel, otherwise a texel of a level.
 #include "vtkIndirectSubsplatTexel.glsl"
 
-// The pixel in the middle of a leaf.
-ivec2 vtkiPixelOfLeaf(ivec2 texel)
-{
-#ifdef VTKI_PIXELS
-  return texel;
-#else
-  return vtkiTexelPixel(texel);
-#endif
-}
-
 // Position, normal and facet normal in scene units and coordinates. Returns false if there is no
 // surface to evaluate.
 bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal, out vec3 facet)

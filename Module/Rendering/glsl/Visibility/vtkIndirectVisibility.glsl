@@ -5,7 +5,7 @@
 #include "vtkIndirectDepthTiles.glsl"
 #include "vtkIndirectCrease.glsl"
 
-// Of the receiver; without a pixel it has none.
+// The receiver's crease. A receiver that is not at a pixel has none.
 vtkiCrease vtkiReceiverCrease = vtkiCrease(vec3(0.0f), 0.0f, 0.0f);
 
 // The receiver's data, beside its position, for look-ups: the normal of its facet, which the maps

@@ -12,8 +12,8 @@ const float VTKI_CREASE_COSINE = 0.75f;
 const float VTKI_CREASE_REACH = 0.02f;
 // A receiver may lie behind the other plane by this, in scene units: rounding.
 const float VTKI_CREASE_ROUNDING = 1.0e-4f;
-// What is hidden lies behind the other plane by this, in scene units: virtual lights on that plane
-// are not hidden.
+// A plane hides positions that lie behind it by more than this, in scene units: virtual lights on
+// the plane are not hidden.
 const float VTKI_CREASE_MARGIN = 1.0e-3f;
 // Facets are one flat surface above this cosine, and within this share of their distance.
 const float VTKI_CREASE_FLAT_COSINE = 0.999f;
