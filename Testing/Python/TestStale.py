@@ -50,9 +50,9 @@ class Stale(unittest.TestCase):
         self.window.RemoveRenderer(renderer)
         return light, picture
 
-    def check(self, make) -> None:
+    def check(self, make, fresh=None) -> None:
         light, picture = self.draw(make, True)
-        other, expected = self.draw(make, False)
+        other, expected = self.draw(fresh or make, False)
         # A table of texels that are read in another order adds up to other last digits.
         self.assertLess(np.abs(light - other).max(), 1e-3 * other.max() + 1e-6)
         self.assertLess(np.abs(picture - expected).max(), 1e-3 * expected.max())
@@ -119,6 +119,22 @@ class Stale(unittest.TestCase):
                         )
 
                     self.check(make)
+
+    def test_an_area_light_that_is_off_counts_as_removed(self) -> None:
+        """The other light keeps its bounce: 6 % less where the light that is off took places."""
+
+        def make(removes):
+            renderer = make_room()
+            indirect = vtkindirect.enable(renderer, lighting="scene")
+            lights = [make_area(-0.5), make_area(0.5, (1, 4, 1))]
+            for light in lights:
+                indirect.AddAreaLight(light)
+            gone = lights[0]
+            return renderer, lambda: (
+                indirect.RemoveAreaLight(gone) if removes else gone.SwitchOff()
+            )
+
+        self.check(lambda: make(False), lambda: make(True))
 
     def test_what_has_gone(self) -> None:
         """The older and the newer of two is removed; an order in which nothing newer is left."""

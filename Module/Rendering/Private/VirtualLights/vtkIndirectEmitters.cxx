@@ -55,6 +55,13 @@ glm::dvec2 FindPlaceIn(int x, int y, int pieces)
   return { (x + across(y)) / pieces, (y + across(x)) / pieces };
 }
 
+// Returns true for an area light that is on. It may have no light, as a picture of a video may be
+// black.
+bool Shines(vtkAreaLight* light)
+{
+  return light->GetSwitch() && light->GetArea() > 0.0;
+}
+
 // Returns the mean radiance of a part of an area light.
 glm::dvec3 FindRadiance(vtkAreaLight* light, int x, int y, int pieces)
 {
@@ -230,20 +237,20 @@ void vtkIndirectEmitters::AddSky(
 void vtkIndirectEmitters::AddAreaLights(
   List& emitters, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights, bool inHaste)
 {
-  const int count = static_cast<int>(lights.size());
+  const auto count = std::count_if(lights.begin(), lights.end(), Shines);
   const int pieces = count > 4 ? 1
     : count > 1 || inHaste     ? MostPiecesPerEdge / 2
                                : MostPiecesPerEdge;
   List all;
-  for (int number = 0; number < count; ++number)
+  for (int number = 0; number < static_cast<int>(lights.size()); ++number)
   {
     vtkAreaLight* light = lights[static_cast<size_t>(number)];
-    const double area = light->GetArea() / (pieces * pieces);
-    const vtkIndirectRectangle whole(light);
-    if (!light->GetSwitch() || !(area > 0.0))
+    if (!Shines(light))
     {
       continue;
     }
+    const double area = light->GetArea() / (pieces * pieces);
+    const vtkIndirectRectangle whole(light);
     for (int side = 0; side < (whole.TwoSided ? 2 : 1); ++side)
     {
       for (int i = 0; i < pieces * pieces; ++i)
@@ -278,9 +285,9 @@ double vtkIndirectEmitters::FindIrradiance(
   glm::dvec3 sum(0.0);
   for (const auto& light : lights)
   {
-    const double area = light->GetSwitch() ? light->GetArea() : 0.0;
-    if (area > 0.0)
+    if (Shines(light))
     {
+      const double area = light->GetArea();
       const glm::dvec3 middle =
         0.5 * (glm::make_vec3(light->GetPoint1()) + glm::make_vec3(light->GetPoint2()));
       const glm::dvec3 apart = middle - glm::make_vec3(place);

@@ -42,7 +42,7 @@ void AddSky(List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironment
 constexpr size_t MostPieces = 64;
 
 /**
- * Adds pieces of area lights: 4 x 4 of a single light, 2 x 2 of each if there are up to four lights
+ * Adds pieces of area lights: 4 x 4 of a single light, 2 x 2 of each if up to four lights are on
  * or, for a single light, in haste, and else one. A piece is a spot that sends by the cosine, from
  * a place within the piece, and gives a surface the irradiance of a disk of the piece's area.
  * Pieces stay in place while an image changes. If there would be more than MostPieces, pieces that
