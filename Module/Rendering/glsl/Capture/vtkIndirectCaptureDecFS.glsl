@@ -173,7 +173,10 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   vec4 slopes = vec4(row.zw, next.zw);
   vec4 there = plane.reference + gradient.x * (first.x - at.x + vec4(0.0f, 1.0f, 0.0f, 1.0f)) +
     gradient.y * (first.y - at.y + vec4(0.0f, 0.0f, 1.0f, 1.0f));
-  bool asked = plane.turned || any(lessThan(depths, min(there - plane.bias, vec4(1.0f))));
+  // A surface that meets the receiver's plane at the receiver rises less than the bias over it.
+  bool ended = any(lessThan(depths, there - rounding)) &&
+    any(greaterThan(depths, there + vtkiMostBehind(plane)));
+  bool asked = plane.turned || ended || any(lessThan(depths, min(there - plane.bias, vec4(1.0f))));
   bool deep = all(
     lessThan(depths, min(there, vec4(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
   // If texels differ, and at contact, their planes decide. A loop, not a branch: OpenGL on the

@@ -136,11 +136,17 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
 {
   float depthThere = stored - gradient.x * offset.x - gradient.y * offset.y;
   float plane = receiver.reference + receiver.gradient.x * offset.x + receiver.gradient.y * offset.y;
-  // The map ends at the last caster: a receiver beyond it is compared with the map's end, which
-  // holds no caster.
-  bool before = stored < min(plane - receiver.bias, 1.0f);
   // Slopes are rounded to a hundredth at most.
   float rounding = receiver.rounding + 0.01f * (abs(gradient.x) + abs(gradient.y));
+  vec2 own = receiver.gradient * receiver.perTexel;
+  vec2 other = gradient * receiver.perTexel;
+  float product = 1.0f + own.x * other.x + own.y * other.y;
+  float lengths2 = (1.0f + own.x * own.x + own.y * own.y) * (1.0f + other.x * other.x + other.y * other.y);
+  bool alike = product > 0.0f &&
+    product * product > VTKI_SHADOW_FACET_COSINE * VTKI_SHADOW_FACET_COSINE * lengths2;
+  // The bias is for facets of the receiver's own surface. The map ends at the last caster: a
+  // receiver beyond it is compared with the map's end, which holds no caster.
+  bool before = stored < min(plane - (alike ? receiver.bias : rounding), 1.0f);
   bool over = depthThere < receiver.reference - rounding;
   // Light that falls on the back of the receiver's own facet does not pass through it.
   vec2 apart = abs(gradient - receiver.facet);
@@ -149,12 +155,6 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
       0.1f * (1.0f + (abs(gradient.x) + abs(gradient.y)) * receiver.perTexel);
   bool hides = before && over;
   bool contact = 2.0f * (receiver.reference - depthThere) < plane - stored;
-  vec2 own = receiver.gradient * receiver.perTexel;
-  vec2 other = gradient * receiver.perTexel;
-  float product = 1.0f + own.x * other.x + own.y * other.y;
-  float lengths2 = (1.0f + own.x * own.x + own.y * own.y) * (1.0f + other.x * other.x + other.y * other.y);
-  bool alike = product > 0.0f &&
-    product * product > VTKI_SHADOW_FACET_COSINE * VTKI_SHADOW_FACET_COSINE * lengths2;
   hides = (hides && !(contact && alike)) || behind;
   bool through = !alike && depthThere < receiver.reference + rounding;
   bool edge = through && stored < plane + receiver.bias;
@@ -167,18 +167,24 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
   votes.gradient = first ? gradient : votes.gradient;
 }
 
+/* Depth by which the receiver's own surface may lie behind its plane at a texel around it: it may
+ * bend away by half a texel's width and half of its rise over one. */
+float vtkiMostBehind(vtkiShadowPlane receiver)
+{
+  return receiver.bias + 0.5f * (abs(receiver.gradient.x) + abs(receiver.gradient.y));
+}
+
 /* True if a texel that sees the receiver counts, by its number. It does not count beyond the line
  * where the occluder meets the receiver's plane, as on the other side of a thin wall, nor if it
  * shows the occluder, nor if its surface lies so far behind the receiver's plane that the
- * receiver's surface has ended, as beyond the rim of a closed body with the receiver inside: that
- * surface may bend away by half a texel's width and half of its rise over one. */
+ * receiver's surface has ended, as beyond the rim of a closed body with the receiver inside. */
 bool vtkiCountsForShadow(
   vtkiShadowPlane receiver, vec2 offset, float stored, int number, vtkiShadowVotes votes)
 {
   float plane = receiver.reference + receiver.gradient.x * offset.x + receiver.gradient.y * offset.y;
   float before = votes.depth + votes.gradient.x * offset.x + votes.gradient.y * offset.y;
   bool beside = plane - before > receiver.rounding && stored > 0.5f * (plane + before);
-  bool ended = stored > plane + receiver.bias + 0.5f * (abs(receiver.gradient.x) + abs(receiver.gradient.y));
+  bool ended = stored > plane + vtkiMostBehind(receiver);
   bool counts = votes.most > 0.0f ? beside && !ended : !(votes.contact && ended);
   return ((votes.seen >> number) & 1) == 1 && counts;
 }
