@@ -64,9 +64,10 @@ float vtkiShareOfSplat(vec3 toSender, vec4 sender, vec4 senderNormal, vec3 densi
   return max(share, vtkiSplatFades || near <= 0.0f ? near : 1.0f);
 }
 
-// The light of a sender, not cut off. Splats are summed one by one, so that no other cluster tells
-// whether a receiver whose plane a cluster reaches through sees that cluster: the cluster counts as
-// seen, and inside closed bodies 0.5 to 1 % of the light outside arrives.
+// The light of a sender, not cut off. Splats that are drawn and the far field sum one sender at a
+// time, so that no other cluster tells whether a receiver whose plane a cluster reaches through sees
+// that cluster: the cluster counts as seen, and inside closed bodies 0.5 to 1 % of the light outside
+// arrives by splats that are drawn.
 vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density)
 {
   vec3 irradiance = vec3(0.0f);
@@ -95,6 +96,36 @@ vec3 vtkiSplatSender(
   }
   return irradiance;
 }
+
+float vtkiShareOfLight(vec3 position, int light, float low)
+{
+  vec4 sender;
+  vec4 senderNormal;
+  vec3 density;
+  vtkiFetchLight(light, sender, senderNormal, density);
+  return vtkiShareOfSplat(vtkiToSender(sender, position), sender, senderNormal, density, low);
+}
+
+// Adds the splat's part of a cluster as a whole. Returns true if the receiver is near to the
+// cluster, so that its branches are to be added.
+bool vtkiAddSplat(vec3 position, vec3 normal, vec3 open, int light, float low, inout vec3 irradiance)
+{
+  float share = vtkiShareOfLight(position, light, low);
+  vec3 whole = vec3(0.0f);
+  bool isNear = share > 0.0f && vtkiAddLight(position, normal, open, light, whole);
+  irradiance += share * whole;
+  return isNear;
+}
+
+#ifdef VTKI_DIVIDED
+// Adds the splat's part of the branches of such a cluster.
+void vtkiAddSplatBelow(vec3 position, vec3 normal, vec3 open, int light, float low, inout vec3 irradiance)
+{
+  vec3 below = vec3(0.0f);
+  vtkiAddBelow(position, normal, open, light, below);
+  irradiance += vtkiShareOfLight(position, light, low) * below;
+}
+#endif
 
 vec3 vtkiSplatOpenPlace(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
 {

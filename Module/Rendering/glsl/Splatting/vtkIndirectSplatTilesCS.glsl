@@ -16,6 +16,43 @@ shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
 shared uint vtkiListedLobes[VTKI_ROW_LENGTH / 32];
 #endif
 
+#ifdef VTKI_DIVIDED
+const int vtkiAtOnce = VTKI_NEAR_LIGHTS;
+#else
+const int vtkiAtOnce = VTKI_ROW_LENGTH;
+#endif
+
+// Sums the listed splats of a row from one number on: clusters as a whole, which tell what the
+// receiver sees, and then the branches of those it is near to. The fourth component counts splats.
+vec4 vtkiSumListed(vtkiReceiver receiver, vec3 open, int firstOfRow, int first, float low)
+{
+  vec4 sum = vec4(0.0f);
+  uvec4 near = uvec4(0u);
+  for (int word = first / 32; word < (first + vtkiAtOnce) / 32; ++word)
+  {
+    uint bits = vtkiListed[word];
+    while (bits != 0u)
+    {
+      int number = 32 * word + findLSB(bits);
+      bits &= bits - 1u;
+      bool isNear =
+        vtkiAddSplat(receiver.position, receiver.normal, open, firstOfRow + number, low, sum.rgb);
+      sum.a += 1.0f;
+#ifdef VTKI_DIVIDED
+      vtkiKeepNear(near, number - first, isNear);
+#endif
+    }
+  }
+#ifdef VTKI_DIVIDED
+  while (vtkiHasNear(near))
+  {
+    int number = first + vtkiTakeNear(near);
+    vtkiAddSplatBelow(receiver.position, receiver.normal, open, firstOfRow + number, low, sum.rgb);
+  }
+#endif
+  return sum;
+}
+
 void main()
 {
   ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -39,6 +76,9 @@ void main()
     open = vtkiSplatOpenPlace(receiver.position, receiver.normal, receiver.facet, min(pixel, vtkiSize - 1));
   }
   vec4 total = vec4(0.0f);
+#ifdef VTKI_DIVIDED
+  vtkiStartSight();
+#endif
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y && any; ++row)
   {
     if (number < VTKI_ROW_LENGTH / 32)
@@ -63,20 +103,9 @@ void main()
     barrier();
     // Sums by row keep rounding errors of long sums small.
     vec4 partial = vec4(0.0f);
-    for (int word = 0; word < VTKI_ROW_LENGTH / 32; ++word)
+    for (int first = 0; first < VTKI_ROW_LENGTH; first += vtkiAtOnce)
     {
-      uint bits = vtkiListed[word];
-      while (bits != 0u)
-      {
-        int next = row * VTKI_ROW_LENGTH + 32 * word + findLSB(bits);
-        bits &= bits - 1u;
-        vec4 sender;
-        vec4 senderNormal;
-        vec3 density;
-        vtkiFetchLight(next, sender, senderNormal, density);
-        partial += vec4(vtkiSplatSender(receiver.position, receiver.normal, open, next, sender, senderNormal,
-          density, low), 1.0f);
-      }
+      partial += vtkiSumListed(receiver, open, row * VTKI_ROW_LENGTH, first, low);
     }
 #ifdef VTKI_SPLAT_LOBES
     for (int word = 0; word < VTKI_ROW_LENGTH / 32; ++word)
