@@ -51,6 +51,12 @@ void vtkiEvaluateChild(ivec2 block, int child, bool exists)
 
 #ifdef VTKI_DEPTH_TILES
 vtkiCrease vtkiCreasesOfBlocks[4 * VTKI_BLOCKS]; // of the receivers
+
+// Written in a function before the functions that read the array: Mesa 26 warns otherwise.
+void vtkiKeepCrease(int i, ivec2 pixel)
+{
+  vtkiCreasesOfBlocks[i] = vtkiFetchCrease(pixel);
+}
 #endif
 
 #ifdef VTKI_SHARES_LOOKS
@@ -194,7 +200,7 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
     irradiance[i] = vec3(0.0f);
     vectorIrradiance[i] = vec3(0.0f);
 #ifdef VTKI_DEPTH_TILES
-    vtkiCreasesOfBlocks[i] = vtkiFetchCrease(vtkiTexelPixel(texel));
+    vtkiKeepCrease(i, vtkiTexelPixel(texel));
 #endif
   }
 #ifdef VTKI_DIVIDED
