@@ -417,8 +417,9 @@ public:
 
   ///@{
   /**
-   * A mesh of fewer triangles that replaces an actor's mesh in depth maps of the sky, of virtual
-   * lights, of area lights and of penumbras, if it deviates by at most half a texel of that map; of
+   * A mesh of fewer triangles that replaces an actor's mesh, or the coarse levels that the pass
+   * makes of meshes of 20,000 triangles and more, in depth maps of the sky, of virtual lights, of
+   * area lights and of penumbras, if it deviates by at most half a texel of that map; of
    * several such meshes the one with the fewest triangles is used. `error` is that deviation, both
    * ways, in lengths of the actor's mesh, at least 0, as returned by
    * vtkMeshSimplificationFilter::GetMaximumDistance. The picture and lights' own maps always have

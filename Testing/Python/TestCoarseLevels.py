@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Coarse levels in depth maps: when they are taken, what they change, and when they go."""
 
+import re
 import unittest
 
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
@@ -93,6 +95,25 @@ class CoarseLevels(unittest.TestCase):
         after, _, said = self.render()
         self.assertEqual(said, "")
         np.testing.assert_array_equal(before, after)
+
+    def test_parts_of_a_dense_mesh_have_levels(self) -> None:
+        # A clipping plane beside the scene clips nothing, and such a mesh is drawn by its mapper.
+        self.actors[0].GetMapper().SetInputData(ball(160).GetOutput())
+        plane = vtkPlane()
+        plane.SetOrigin(0.0, 0.0, -50.0)
+        plane.SetNormal(0.0, 0.0, 1.0)
+        self.actors[0].GetMapper().AddClippingPlane(plane)
+        whole, depth, said = self.render()
+        self.assertEqual(said, "")
+        self.actors[0].GetMapper().RemoveAllClippingPlanes()
+        parts, depth_of_parts, said = self.render()
+        drawn, full = (int(number) for number in re.findall(r"(\d+) triangles drawn in place of (\d+)", said)[0])
+        print(f"{drawn / full:.3f} of the triangles")
+        self.assertLess(drawn, 0.2 * full)
+        np.testing.assert_array_equal(depth, depth_of_parts)
+        apart = np.sqrt(np.mean((parts - whole) ** 2)) / whole.mean()
+        print(f"apart by {apart:.4f}, bias {parts.mean() / whole.mean() - 1.0:+.4f}")
+        self.assertLess(apart, 0.01)
 
     def test_a_level_in_front_of_its_mesh_hides_nothing_of_it(self) -> None:
         # The ball fills the maps: half a texel is 0.0079, what lookups allow for 0.0022.

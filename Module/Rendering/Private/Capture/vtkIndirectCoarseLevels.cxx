@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/vtkIndirectCoarseLevels.h"
 
+#include "Capture/vtkIndirectDepthDrawer.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectReport.h"
@@ -24,13 +25,6 @@ vtkPolyData* FindMesh(vtkActor* actor)
   auto* mapper = actor ? vtkPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
   return mapper ? mapper->GetInput() : nullptr;
 }
-
-// Largest scale of the actor's matrix, or a bound of it.
-double FindScale(vtkActor* actor)
-{
-  const glm::dmat3 m(vtkIndirectFrame::ToGLM(actor->GetMatrix()));
-  return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
-}
 }
 
 //------------------------------------------------------------------------------
@@ -49,9 +43,9 @@ bool vtkIndirectCoarseLevels::IsCurrent(const Entry& entry)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCoarseLevels::DiscardBuffers(Level& level)
+void vtkIndirectCoarseLevels::DiscardBuffers(vtkIndirectMeshParts* parts)
 {
-  for (auto* buffer : { &level.PositionBuffer, &level.IndexBuffer })
+  for (auto* buffer : { &parts->PointBuffer, &parts->IndexBuffer })
   {
     if (*buffer)
     {
@@ -62,19 +56,98 @@ void vtkIndirectCoarseLevels::DiscardBuffers(Level& level)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCoarseLevels::DiscardBuffers(Entry& entry)
+void vtkIndirectCoarseLevels::ReleaseUnused()
 {
-  for (const auto& level : entry.Levels)
+  for (const auto& buffer : this->Unused)
   {
-    this->DiscardBuffers(*level);
+    buffer->ReleaseGraphicsResources();
   }
+  this->Unused.clear();
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCoarseLevels::Discard(Entry& entry)
+std::vector<vtkIndirectMeshParts*> vtkIndirectCoarseLevels::GetAll() const
 {
-  this->DiscardBuffers(entry);
-  entry.Levels.clear();
+  std::vector<vtkIndirectMeshParts*> all;
+  for (const Entry& entry : this->Entries)
+  {
+    all.push_back(entry.Parts.get());
+  }
+  for (const auto& made : this->MadeOf)
+  {
+    if (made.second.Parts)
+    {
+      all.push_back(made.second.Parts.get());
+    }
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
+// Reads a level's mesh. Returns the reason if it is refused, else empty.
+std::string vtkIndirectCoarseLevels::Read(vtkPolyData* mesh, Given& level)
+{
+  level.Source = mesh;
+  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
+  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    it->GetCurrentCell(size, points);
+    if (size != 3)
+    {
+      return "polygons of a coarse level are triangles";
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      level.Indices.push_back(static_cast<unsigned int>(points[i]));
+    }
+  }
+  if (level.Indices.empty() || mesh->GetNumberOfStrips() > 0)
+  {
+    return "a coarse level has triangles, and no strips";
+  }
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    glm::dvec3 p;
+    mesh->GetPoint(i, &p[0]);
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+    {
+      return "points of a coarse level are finite";
+    }
+    level.Points.push_back(p);
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+// Puts an entry's levels into one part.
+void vtkIndirectCoarseLevels::Join(Entry& entry)
+{
+  entry.Parts = std::make_unique<vtkIndirectMeshParts>();
+  vtkIndirectMeshParts& parts = *entry.Parts;
+  parts.Parts.emplace_back();
+  entry.Mesh->GetBounds(parts.Parts.front().Bounds.data());
+  double middle[3];
+  entry.Mesh->GetCenter(middle);
+  parts.Middle = { middle[0], middle[1], middle[2] };
+  parts.NumberOfLevels = entry.Levels.size();
+  for (const Given& level : entry.Levels)
+  {
+    const auto first = static_cast<unsigned int>(parts.Points.size() / 6);
+    for (const glm::dvec3& p : level.Points)
+    {
+      const glm::vec3 relative(p - parts.Middle);
+      parts.Points.insert(
+        parts.Points.end(), { relative.x, relative.y, relative.z, 0.0f, 0.0f, 0.0f });
+    }
+    parts.Parts.front().Levels.push_back(
+      { parts.Indices.size(), level.Indices.size(), level.Error });
+    for (const unsigned int i : level.Indices)
+    {
+      parts.Indices.push_back(first + i);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -94,43 +167,12 @@ std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, doubl
   {
     return "a coarse level is another mesh, and its error a finite number of at least 0";
   }
-  auto level = std::make_unique<Level>();
-  level->Error = error;
-  level->Source = mesh;
-  double middle[3];
-  mesh->GetCenter(middle);
-  level->Middle = { middle[0], middle[1], middle[2] };
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  Given level;
+  level.Error = error;
+  const std::string wrong = Read(mesh, level);
+  if (!wrong.empty())
   {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    it->GetCurrentCell(size, points);
-    if (size != 3)
-    {
-      return "polygons of a coarse level are triangles";
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      level->Indices.push_back(static_cast<unsigned int>(points[i]));
-    }
-  }
-  if (level->Indices.empty() || mesh->GetNumberOfStrips() > 0)
-  {
-    return "a coarse level has triangles, and no strips";
-  }
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    mesh->GetPoint(i, p);
-    for (int c = 0; c < 3; ++c)
-    {
-      if (!std::isfinite(p[c]))
-      {
-        return "points of a coarse level are finite";
-      }
-      level->Positions.push_back(static_cast<float>(p[c] - middle[c]));
-    }
+    return wrong;
   }
   auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
     [actor](const Entry& entry) { return entry.Actor == actor; });
@@ -140,7 +182,7 @@ std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, doubl
   }
   else if (!IsCurrent(*found))
   {
-    this->Discard(*found);
+    found->Levels.clear();
   }
   found->Actor = actor;
   found->Mesh = whole;
@@ -148,16 +190,17 @@ std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, doubl
   vtkTimeStamp now;
   now.Modified();
   found->Time = now.GetMTime();
-  const auto same = std::find_if(found->Levels.begin(), found->Levels.end(),
-    [mesh](const auto& other) { return other->Source == mesh; });
-  if (same != found->Levels.end())
-  {
-    this->DiscardBuffers(**same);
-    found->Levels.erase(same);
-  }
+  found->Levels.erase(std::remove_if(found->Levels.begin(), found->Levels.end(),
+                        [mesh](const Given& other) { return other.Source == mesh; }),
+    found->Levels.end());
   found->Levels.push_back(std::move(level));
   std::stable_sort(found->Levels.begin(), found->Levels.end(),
-    [](const auto& a, const auto& b) { return a->Indices.size() < b->Indices.size(); });
+    [](const Given& a, const Given& b) { return a.Indices.size() < b.Indices.size(); });
+  if (found->Parts)
+  {
+    this->DiscardBuffers(found->Parts.get());
+  }
+  Join(*found);
   return "";
 }
 
@@ -168,7 +211,7 @@ void vtkIndirectCoarseLevels::Remove(vtkProp* prop)
   {
     if (it->Actor == prop)
     {
-      this->Discard(*it);
+      this->DiscardBuffers(it->Parts.get());
       it = this->Entries.erase(it);
     }
     else
@@ -185,14 +228,14 @@ void vtkIndirectCoarseLevels::Update(vtkIndirectFrame& frame)
   {
     if (!IsCurrent(*it))
     {
-      this->Discard(*it);
+      this->DiscardBuffers(it->Parts.get());
       it = this->Entries.erase(it);
       continue;
     }
     // Release as renderers release a removed prop's mapper.
     if (!frame.Renderer->HasViewProp(it->Actor))
     {
-      this->DiscardBuffers(*it);
+      this->DiscardBuffers(it->Parts.get());
     }
     for (vtkIndirectCaster& caster : frame.Casters)
     {
@@ -204,46 +247,74 @@ void vtkIndirectCoarseLevels::Update(vtkIndirectFrame& frame)
     }
     ++it;
   }
-  for (const auto& buffer : this->Unused)
-  {
-    buffer->ReleaseGraphicsResources();
-  }
-  this->Unused.clear();
+  this->RemoveUnneeded(frame);
+  this->ReleaseUnused();
   frame.Levels = this;
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectCoarseLevels::Has(vtkProp* prop) const
+// Removes the parts of meshes that have changed or that no caster has.
+void vtkIndirectCoarseLevels::RemoveUnneeded(const vtkIndirectFrame& frame)
 {
-  return std::any_of(this->Entries.begin(), this->Entries.end(),
-    [prop](const Entry& entry) { return entry.Actor == prop; });
-}
-
-//------------------------------------------------------------------------------
-vtkIndirectCoarseLevels::Level* vtkIndirectCoarseLevels::Find(
-  vtkProp* prop, double mostError, double& error) const
-{
-  for (const Entry& entry : this->Entries)
+  for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    if (entry.Actor != prop)
+    const auto found = this->MadeOf.find(FindMesh(vtkActor::SafeDownCast(caster.Prop)));
+    if (found != this->MadeOf.end())
     {
-      continue;
-    }
-    const double scale = FindScale(entry.Actor);
-    for (const auto& level : entry.Levels)
-    {
-      error = level->Error * scale;
-      if (error <= mostError)
-      {
-        return level.get();
-      }
+      Made& made = found->second;
+      made.Needed = made.Mesh && vtkIndirectRevision::FindShape(made.Mesh) == made.MeshRevision;
     }
   }
-  return nullptr;
+  for (auto it = this->MadeOf.begin(); it != this->MadeOf.end();)
+  {
+    if (!it->second.Needed && it->second.Parts)
+    {
+      this->DiscardBuffers(it->second.Parts.get());
+    }
+    it = it->second.Needed ? std::next(it) : this->MadeOf.erase(it);
+  }
+  for (auto& made : this->MadeOf)
+  {
+    made.second.Needed = false;
+  }
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCoarseLevels::Count(size_t drawn, size_t full) const
+vtkIndirectMeshParts* vtkIndirectCoarseLevels::Find(vtkProp* prop)
+{
+  const auto given = std::find_if(this->Entries.begin(), this->Entries.end(),
+    [prop](const Entry& entry) { return entry.Actor == prop; });
+  if (given != this->Entries.end())
+  {
+    return given->Parts.get();
+  }
+  vtkPolyData* mesh = FindMesh(vtkActor::SafeDownCast(prop));
+  if (!mesh)
+  {
+    return nullptr;
+  }
+  Made& made = this->MadeOf[mesh];
+  if (made.Mesh != mesh)
+  {
+    made.Mesh = mesh;
+    made.MeshRevision = vtkIndirectRevision::FindShape(mesh);
+    made.Parts =
+      vtkIndirectDepthDrawer::CountTriangles(prop) < vtkIndirectMeshParts::FewestTriangles
+      ? nullptr
+      : vtkIndirectMeshParts::Make(mesh, vtkIndirectDepthDrawer::ReadTriangles(prop));
+  }
+  return made.Parts.get();
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectCoarseLevels::FindScale(vtkProp* prop)
+{
+  const glm::dmat4 m(vtkIndirectFrame::ToGLM(prop->GetMatrix()));
+  return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCoarseLevels::Count(size_t drawn, size_t full)
 {
   this->Drawn += static_cast<double>(drawn);
   this->Full += static_cast<double>(full);
@@ -261,48 +332,30 @@ void vtkIndirectCoarseLevels::AppendTo(vtkIndirectKey& key) const
 //------------------------------------------------------------------------------
 void vtkIndirectCoarseLevels::AddToReport(vtkIndirectReport& report) const
 {
-  if (this->Entries.empty())
+  const std::vector<vtkIndirectMeshParts*> all = this->GetAll();
+  if (all.empty())
   {
     return;
   }
-  for (const Entry& entry : this->Entries)
+  for (const vtkIndirectMeshParts* parts : all)
   {
-    for (const auto& level : entry.Levels)
-    {
-      const size_t bytes =
-        level->Positions.size() * sizeof(float) + level->Indices.size() * sizeof(unsigned int);
-      report.MainMemoryBytes += bytes;
-      report.Bytes += level->PositionBuffer ? bytes : 0;
-    }
+    report.MainMemoryBytes += parts->GetBytes();
+    report.Bytes += parts->PointBuffer ? parts->GetBytes() : 0;
   }
   report.Modelled.emplace_back("coarse geometry in depth maps",
     this->Full > 0.0 ? std::to_string(static_cast<long long>(this->Drawn)) +
         " triangles drawn in place of " + std::to_string(static_cast<long long>(this->Full)) +
         " so far, half a texel from them at most"
-                     : "levels of " + std::to_string(this->Entries.size()) +
-        " props, used by no map: half a texel from what they draw at most");
+                     : "levels of " + std::to_string(all.size()) +
+        " meshes, used by no map: half a texel from what they draw at most");
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectCoarseLevels::ReleaseOwn(vtkWindow*)
 {
-  for (Entry& entry : this->Entries)
+  for (vtkIndirectMeshParts* parts : this->GetAll())
   {
-    for (const auto& level : entry.Levels)
-    {
-      for (auto* buffer : { &level->PositionBuffer, &level->IndexBuffer })
-      {
-        if (*buffer)
-        {
-          (*buffer)->ReleaseGraphicsResources();
-          *buffer = nullptr;
-        }
-      }
-    }
+    this->DiscardBuffers(parts);
   }
-  for (const auto& buffer : this->Unused)
-  {
-    buffer->ReleaseGraphicsResources();
-  }
-  this->Unused.clear();
+  this->ReleaseUnused();
 }

@@ -116,10 +116,48 @@ bool vtkIndirectDepthDrawer::CanDraw(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectDepthDrawer::Begin(
-  vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectCoarseLevels::Level* level)
+size_t vtkIndirectDepthDrawer::CountTriangles(vtkProp* prop)
 {
-  this->Level = level;
+  size_t indices = 0;
+  for (const int kind : MapperAccess::Kinds)
+  {
+    indices += MapperAccess::GetIndices(FindMapper(prop), kind)->IndexCount;
+  }
+  return indices / 3;
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIndirectMeshParts::Triangle> vtkIndirectDepthDrawer::ReadTriangles(vtkProp* prop)
+{
+  std::vector<vtkIndirectMeshParts::Triangle> triangles;
+  vtkOpenGLPolyDataMapper* mapper = FindMapper(prop);
+  if (MapperAccess::CountPositions(mapper) != mapper->GetInput()->GetNumberOfPoints())
+  {
+    return triangles;
+  }
+  triangles.resize(CountTriangles(prop));
+  size_t read = 0;
+  for (const int kind : MapperAccess::Kinds)
+  {
+    vtkOpenGLIndexBufferObject* indices = MapperAccess::GetIndices(mapper, kind);
+    if (indices->IndexCount)
+    {
+      const size_t bytes = indices->IndexCount / 3 * sizeof(vtkIndirectMeshParts::Triangle);
+      indices->Bind();
+      glGetBufferSubData(
+        GL_ELEMENT_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), &triangles[read]);
+      indices->Release();
+      read += indices->IndexCount / 3;
+    }
+  }
+  return triangles;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDepthDrawer::Begin(
+  vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectMeshParts* parts)
+{
+  this->Parts = parts;
   this->Mapper = FindMapper(prop);
   this->Program = window->GetShaderCache()->ReadyShaderProgram(
     vtkIndirectShaderLibrary::GetText("vtkIndirectDepthVS.glsl").c_str(),
@@ -129,21 +167,24 @@ bool vtkIndirectDepthDrawer::Begin(
     return false;
   }
   this->ToWorld = vtkIndirectFrame::ToGLM(static_cast<vtkActor*>(prop)->GetMatrix());
-  if (level)
+  if (parts)
   {
-    if (!level->PositionBuffer)
+    if (!parts->PointBuffer)
     {
-      level->PositionBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
-      level->PositionBuffer->Upload(level->Positions, vtkOpenGLBufferObject::ArrayBuffer);
-      level->IndexBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
-      level->IndexBuffer->Upload(level->Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
+      parts->PointBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+      parts->PointBuffer->Upload(parts->Points, vtkOpenGLBufferObject::ArrayBuffer);
+      parts->IndexBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
+      parts->IndexBuffer->Upload(parts->Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
     }
     glm::dmat4 restore(1.0);
-    restore[3] = glm::dvec4(level->Middle, 1.0);
+    restore[3] = glm::dvec4(parts->Middle, 1.0);
     this->ToWorld *= restore;
     this->Vertices->Bind();
+    const int stride = 6 * sizeof(float);
     this->Vertices->AddAttributeArray(
-      this->Program, level->PositionBuffer, "vertexMC", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+      this->Program, parts->PointBuffer, "vertexMC", 0, stride, VTK_FLOAT, 3, false);
+    this->Vertices->AddAttributeArray(
+      this->Program, parts->PointBuffer, "insetMC", stride / 2, stride, VTK_FLOAT, 3, false);
     return true;
   }
   vtkOpenGLVertexBufferObject* positions = MapperAccess::GetPositions(this->Mapper);
@@ -162,6 +203,7 @@ bool vtkIndirectDepthDrawer::Begin(
   }
   this->Vertices->Bind();
   this->Vertices->AddAttributeArray(this->Program, positions, "vertexMC", 0, false);
+  this->Vertices->RemoveAttributeArray("insetMC"); // then it is zero
   return true;
 }
 
@@ -170,14 +212,6 @@ size_t vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
 {
   size_t triangles = 0;
   vtkIndirectSetUniform(this->Program, "vtkiToClip", glm::mat4(worldToClip * this->ToWorld));
-  if (this->Level)
-  {
-    this->Level->IndexBuffer->Bind();
-    glDrawRangeElements(GL_TRIANGLES, 0, static_cast<GLuint>(this->Level->Positions.size() / 3 - 1),
-      static_cast<GLsizei>(this->Level->Indices.size()), GL_UNSIGNED_INT, nullptr);
-    this->Level->IndexBuffer->Release();
-    return this->Level->Indices.size() / 3;
-  }
   const auto last = static_cast<GLuint>(MapperAccess::CountPositions(this->Mapper) - 1);
   for (const int kind : MapperAccess::Kinds)
   {
@@ -195,20 +229,32 @@ size_t vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip)
 }
 
 //------------------------------------------------------------------------------
-size_t vtkIndirectDepthDrawer::CountTriangles() const
+size_t vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip, const glm::dvec4& emitter,
+  const std::vector<vtkIndirectMeshParts::Level>& levels)
 {
   size_t indices = 0;
-  for (const int kind : MapperAccess::Kinds)
+  this->Counts.clear();
+  this->Offsets.clear();
+  for (const vtkIndirectMeshParts::Level& level : levels)
   {
-    indices += MapperAccess::GetIndices(this->Mapper, kind)->IndexCount;
+    this->Counts.push_back(static_cast<GLsizei>(level.Count));
+    this->Offsets.push_back(reinterpret_cast<const void*>(level.First * sizeof(unsigned int)));
+    indices += level.Count;
   }
+  vtkIndirectSetUniform(this->Program, "vtkiToClip", glm::mat4(worldToClip * this->ToWorld));
+  vtkIndirectSetUniform(
+    this->Program, "vtkiEmitter", glm::vec4(glm::inverse(this->ToWorld) * emitter));
+  this->Parts->IndexBuffer->Bind();
+  glMultiDrawElements(GL_TRIANGLES, this->Counts.data(), GL_UNSIGNED_INT, this->Offsets.data(),
+    static_cast<GLsizei>(levels.size()));
+  this->Parts->IndexBuffer->Release();
   return indices / 3;
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectDepthDrawer::End()
 {
-  this->Level = nullptr;
+  this->Parts = nullptr;
   this->Vertices->Release();
   this->Mapper = nullptr;
 }

@@ -5,11 +5,12 @@
 // impostors, glyphs, textures, clipping planes, users' shaders.
 #pragma once
 
-#include "Capture/vtkIndirectCoarseLevels.h" // for levels
-#include "OpenGL/vtkIndirectResource.h"      // for the base class
-#include "vtkSmartPointer.h"                 // for a member
+#include "Capture/vtkIndirectMeshParts.h" // for levels
+#include "OpenGL/vtkIndirectResource.h"   // for the base class
+#include "vtkSmartPointer.h"              // for a member
 
 #include <glm/glm.hpp> // for matrices
+#include <vector>      // for levels
 
 class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
@@ -29,14 +30,20 @@ public:
    */
   static bool CanDraw(vtkProp* prop);
 
-  /** Sets up a prop for which CanDraw is true, or a coarse level in its place. Returns false, after
-   * an error, if the program fails. */
-  bool Begin(
-    vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectCoarseLevels::Level* level = nullptr);
+  /** Number of triangles of a prop for which CanDraw is true. */
+  static size_t CountTriangles(vtkProp* prop);
+  /** These triangles, by numbers of the mesh's points, or none if the mapper numbers them
+   * otherwise. */
+  static std::vector<vtkIndirectMeshParts::Triangle> ReadTriangles(vtkProp* prop);
+
+  /** Sets up a prop for which CanDraw is true, or levels of its parts in its place. Returns false,
+   * after an error, if the program fails. */
+  bool Begin(vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectMeshParts* parts = nullptr);
   /** Draws it into the current viewport; both transforms in double precision. Returns triangles. */
   size_t Draw(const glm::dmat4& worldToClip);
-  /** Triangles of the prop itself, also if a coarse level is drawn in its place. */
-  size_t CountTriangles() const;
+  /** Draws levels of the parts. emitter: its place and 1, or the direction to it and 0. */
+  size_t Draw(const glm::dmat4& worldToClip, const glm::dvec4& emitter,
+    const std::vector<vtkIndirectMeshParts::Level>& levels);
   void End();
 
 protected:
@@ -45,7 +52,9 @@ protected:
 private:
   vtkShaderProgram* Program = nullptr;
   vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices;
-  vtkOpenGLPolyDataMapper* Mapper = nullptr;       // between Begin and End
-  vtkIndirectCoarseLevels::Level* Level = nullptr; // between Begin and End
-  glm::dmat4 ToWorld{ 1.0 };                       // transform from the buffer's coordinates
+  vtkOpenGLPolyDataMapper* Mapper = nullptr; // between Begin and End
+  vtkIndirectMeshParts* Parts = nullptr;     // between Begin and End
+  glm::dmat4 ToWorld{ 1.0 };                 // transform from the buffer's coordinates
+  std::vector<int> Counts;                   // of levels
+  std::vector<const void*> Offsets;          // of levels
 };

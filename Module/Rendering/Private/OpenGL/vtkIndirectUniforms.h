@@ -21,6 +21,11 @@ inline void vtkIndirectSetUniform(vtkShaderProgram* program, const char* name, c
   program->SetUniform3f(name, glm::value_ptr(v));
 }
 
+inline void vtkIndirectSetUniform(vtkShaderProgram* program, const char* name, const glm::vec4& v)
+{
+  program->SetUniform4f(name, glm::value_ptr(v));
+}
+
 inline void vtkIndirectSetUniform(vtkShaderProgram* program, const char* name, glm::mat3 m)
 {
   program->SetUniformMatrix3x3(name, glm::value_ptr(m));

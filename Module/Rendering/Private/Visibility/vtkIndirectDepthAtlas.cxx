@@ -3,6 +3,7 @@
 
 #include "Visibility/vtkIndirectDepthAtlas.h"
 
+#include "Capture/vtkIndirectCoarseLevels.h"
 #include "Capture/vtkIndirectDarkLight.h"
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Capture/vtkSurfaceCapturePass.h"
@@ -10,13 +11,13 @@
 #include "Frame/vtkIndirectRendererAccess.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "Visibility/vtkIndirectPartViews.h"
 #include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
-#include <map>
 
 namespace
 {
@@ -32,13 +33,9 @@ constexpr int LeastTexels = 16;
 constexpr size_t LeastTiles = 1;
 constexpr size_t FirstTiles = 4;
 
-// A coarse level deviates from its mesh by at most this many texels: the neighbours of a texel are
-// as far away.
-constexpr double MostErrorOfLevels = 0.5;
-
 // After this many triangles the draw calls are flushed to OpenGL. Software rasterizers start on
 // them while the next ones are prepared, which saves a tenth of the time.
-constexpr size_t TrianglesOfBatch = 1 << 17;
+constexpr size_t TrianglesOfFlush = 1 << 17;
 }
 
 //------------------------------------------------------------------------------
@@ -274,82 +271,124 @@ std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
 std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
   const vtkIndirectFrame& frame, const std::vector<View>& views)
 {
-  // A view, and the deviation of a coarse level in it, in world units.
-  struct Look
-  {
-    const View* Seen;
-    double Error;
-  };
   std::vector<const vtkIndirectCaster*> others;
-  size_t triangles = 0; // in the batch so far
+  this->TrianglesOfBatch = 0;
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    if (!vtkIndirectDepthDrawer::CanDraw(caster.Prop))
-    {
-      others.push_back(&caster);
-      continue;
-    }
-    // Groups views by level, in the order of tiles: the buffers of a level are set up once.
-    std::map<vtkIndirectCoarseLevels::Level*, std::vector<Look>> looks;
-    const bool hasLevels = frame.Levels && frame.Levels->Has(caster.Prop);
-    unsigned int seen = 0;
-    for (const View& view : views)
-    {
-      // Views of a tile follow each other, the view ahead first.
-      seen = view.Number == 0 ? view.Whole->FindViews(frame, caster.Bounds, this->Texels) : seen;
-      if ((seen >> view.Number) & 1u)
-      {
-        Look look = { &view, 0.0 };
-        vtkIndirectCoarseLevels::Level* level = nullptr;
-        if (hasLevels)
-        {
-          const double texel = view.Camera.FindTexelAt(frame, caster.Bounds,
-            glm::dvec2(vtkIndirectDepthTile::GetSizeOfView(view.Number, this->Texels)));
-          level = frame.Levels->Find(caster.Prop, MostErrorOfLevels * texel, look.Error);
-        }
-        looks[level].push_back(look);
-      }
-    }
-    bool failed = false;
-    for (const auto& [level, list] : looks)
-    {
-      if (!this->Drawer.Begin(frame.Window, caster.Prop, level))
-      {
-        failed = true;
-        break;
-      }
-      for (const Look& look : list)
-      {
-        const View& view = *look.Seen;
-        this->Use(frame, view.Tile, view.Number);
-        if (level)
-        {
-          // A coarse level must not hide the mesh that it replaces: it is drawn behind by its
-          // deviation. Look-ups allow for the effect of slopes by their allowance for a texel;
-          // glPolygonOffset would do the same and doubles the time of software rasterizers.
-          const size_t drawn = this->Drawer.Draw(
-            view.ToClip * glm::translate(glm::dmat4(1.0), view.Camera.Forward * look.Error));
-          frame.Levels->Count(drawn, this->Drawer.CountTriangles());
-          triangles += drawn;
-        }
-        else
-        {
-          triangles += this->Drawer.Draw(view.ToClip);
-        }
-        if (triangles >= TrianglesOfBatch)
-        {
-          glFlush();
-          triangles = 0;
-        }
-      }
-      this->Drawer.End();
-    }
-    if (failed)
+    if (!vtkIndirectDepthDrawer::CanDraw(caster.Prop) || !this->DrawProp(frame, caster, views))
     {
       others.push_back(&caster);
     }
   }
   return others;
+}
+
+//------------------------------------------------------------------------------
+// Draws one prop: the levels of its parts, or its own mesh where no level is fine enough. Returns
+// false after an error.
+bool vtkIndirectDepthAtlas::DrawProp(
+  const vtkIndirectFrame& frame, const vtkIndirectCaster& caster, const std::vector<View>& views)
+{
+  vtkIndirectMeshParts* parts = frame.Levels ? frame.Levels->Find(caster.Prop) : nullptr;
+  std::vector<const View*> whole; // views of the prop's own mesh
+  if (parts)
+  {
+    vtkIndirectPartViews seen(*parts, caster.Prop);
+    const size_t full = vtkIndirectDepthDrawer::CountTriangles(caster.Prop);
+    bool begun = false;
+    for (const View& view : views)
+    {
+      // Views of a tile follow each other, the view ahead first.
+      if (view.Number == 0)
+      {
+        seen.SetTile(frame, *view.Whole, this->Texels);
+      }
+      if (seen.Choose(frame, view.Camera, view.Number, this->Texels))
+      {
+        whole.push_back(&view);
+      }
+      if (!seen.IsEmpty())
+      {
+        if (!begun && !this->Drawer.Begin(frame.Window, caster.Prop, parts))
+        {
+          return false;
+        }
+        begun = true;
+        this->DrawLevels(frame, view, *parts, seen, full);
+      }
+    }
+    if (begun)
+    {
+      this->Drawer.End();
+    }
+  }
+  else
+  {
+    unsigned int seen = 0;
+    for (const View& view : views)
+    {
+      seen = view.Number == 0 ? view.Whole->FindViews(frame, caster.Bounds, this->Texels) : seen;
+      if ((seen >> view.Number) & 1u)
+      {
+        whole.push_back(&view);
+      }
+    }
+  }
+  if (whole.empty())
+  {
+    return true;
+  }
+  if (!this->Drawer.Begin(frame.Window, caster.Prop))
+  {
+    return false;
+  }
+  for (const View* view : whole)
+  {
+    this->Use(frame, view->Tile, view->Number);
+    this->Flush(this->Drawer.Draw(view->ToClip));
+  }
+  this->Drawer.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthAtlas::DrawLevels(const vtkIndirectFrame& frame, const View& view,
+  const vtkIndirectMeshParts& parts, const vtkIndirectPartViews& seen, size_t full)
+{
+  this->Use(frame, view.Tile, view.Number);
+  const vtkIndirectDepthTile& tile = view.Camera;
+  const glm::dvec4 emitter = tile.Parallel
+    ? glm::dvec4(-tile.Forward, 0.0)
+    : glm::dvec4(frame.SceneCenter + tile.Place / frame.SceneScale, 1.0);
+  size_t drawn = 0;
+  for (size_t level = 0; level < parts.NumberOfLevels; ++level)
+  {
+    const std::vector<vtkIndirectMeshParts::Level>& levels = seen.GetLevels(level);
+    if (!levels.empty())
+    {
+      // A coarse level must not hide the mesh that it replaces: without insets it is drawn behind
+      // by its error. Look-ups allow for the effect of slopes by their allowance for a texel;
+      // glPolygonOffset would do the same and doubles the time of software rasterizers.
+      const double behind = parts.HasInsets ? 0.0 : seen.FindError(level);
+      drawn += this->Drawer.Draw(
+        view.ToClip * glm::translate(glm::dmat4(1.0), view.Camera.Forward * behind), emitter,
+        levels);
+    }
+  }
+  frame.Levels->Count(drawn, full);
+  this->Flush(drawn);
+}
+
+//------------------------------------------------------------------------------
+// Flushes draw calls to OpenGL after TrianglesOfFlush triangles.
+void vtkIndirectDepthAtlas::Flush(size_t triangles)
+{
+  this->TrianglesOfBatch += triangles;
+  if (this->TrianglesOfBatch >= TrianglesOfFlush)
+  {
+    glFlush();
+    this->TrianglesOfBatch = 0;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,7 @@
 #include <utility> // for pairs
 #include <vector>  // for tiles
 
+class vtkIndirectPartViews;
 class vtkOpenGLCamera;
 class vtkSurfaceCapturePass;
 struct vtkIndirectCaster;
@@ -120,12 +121,18 @@ private:
   std::vector<View> Clear(const vtkIndirectFrame& frame, const std::vector<int>& tiles);
   std::vector<const vtkIndirectCaster*> DrawPlain(
     const vtkIndirectFrame& frame, const std::vector<View>& views);
+  bool DrawProp(
+    const vtkIndirectFrame& frame, const vtkIndirectCaster& caster, const std::vector<View>& views);
+  void DrawLevels(const vtkIndirectFrame& frame, const View& view,
+    const vtkIndirectMeshParts& parts, const vtkIndirectPartViews& seen, size_t full);
+  void Flush(size_t triangles);
   void DrawOthers(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
     const std::vector<View>& views, const std::vector<const vtkIndirectCaster*>& casters);
 
   const bool Strips;
   vtkIndirectTarget Depths;
   vtkIndirectDepthDrawer Drawer{ this };
+  size_t TrianglesOfBatch = 0; // drawn since the last flush
   vtkSmartPointer<vtkOpenGLCamera> Camera;
   std::vector<Drawing> Drawn;
   std::vector<std::pair<int, vtkIndirectDepthTile>> Left; // tiles to draw, first the missing ones

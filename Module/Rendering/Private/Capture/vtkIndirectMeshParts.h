@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A mesh in parts, each of which has coarse levels: depth maps draw the parts that they see, and of
+// each part the level that deviates from the mesh by less than a share of a texel. Parts share the
+// points at their borders in all levels, so that parts of different levels leave no gap.
+#pragma once
+
+#include "vtkSmartPointer.h" // for members
+
+#include <array>   // for bounds
+#include <cstddef> // for size_t
+#include <glm/glm.hpp>
+#include <memory> // for the result
+#include <vector> // for members
+
+class vtkOpenGLBufferObject;
+class vtkPolyData;
+
+struct vtkIndirectMeshParts
+{
+  /** Meshes of fewer triangles are drawn as fast as their parts. */
+  static constexpr size_t FewestTriangles = 20000;
+
+  using Triangle = std::array<unsigned int, 3>; // numbers of points
+
+  struct Level
+  {
+    size_t First = 0; // of the indices
+    size_t Count = 0;
+    double Error = 0.0; // distance from the mesh, in its units
+  };
+  struct Part
+  {
+    std::array<double, 6> Bounds{}; // in the mesh's coordinates
+    std::vector<Level> Levels;      // coarsest first
+
+    /** Returns the number of the coarsest level within an error, or -1: only the mesh itself is. */
+    int FindLevel(double mostError) const;
+  };
+
+  /** Positions relative to Middle, each followed by its inset: the way by which the point is drawn
+   * farther from the emitter, or its opposite. */
+  std::vector<float> Points;
+  std::vector<unsigned int> Indices;
+  glm::dvec3 Middle{ 0.0 };
+  size_t NumberOfLevels = 0;
+  bool HasInsets = false; // false: levels are drawn farther by their errors
+  std::vector<Part> Parts;
+  vtkSmartPointer<vtkOpenGLBufferObject> PointBuffer;
+  vtkSmartPointer<vtkOpenGLBufferObject> IndexBuffer;
+
+  /**
+   * Makes the parts of a mesh and of the triangles that its mapper draws; the last level is the
+   * mesh itself. Points of a level are the means of the points in a grid's cells (Rossignac and
+   * Borrel 1993, "Multi-resolution 3D approximations for rendering complex scenes"), where edges
+   * connect them. A point's inset is its greatest distance from the planes of the triangles around
+   * the points that it replaces (Ronfard and Rossignac 1996, "Full-range approximation of
+   * triangulated polyhedra"). A part's error is twice the root of the mean square of these
+   * distances. Points of edges that do not have two triangles of the same orientation stay, and so
+   * do points of several parts. Null for meshes of fewer than FewestTriangles, for those with
+   * points too far apart, and for those of which no level has clearly fewer triangles.
+   */
+  static std::unique_ptr<vtkIndirectMeshParts> Make(
+    vtkPolyData* mesh, std::vector<Triangle> triangles);
+
+  size_t GetBytes() const
+  {
+    return this->Points.size() * sizeof(float) + this->Indices.size() * sizeof(unsigned int);
+  }
+};
