@@ -61,29 +61,31 @@ ivec2 vtkiPixelOf(vtkiReceiver receiver, vec3 offset)
   return max(beyond.x, beyond.y) > float(VTKI_CREASE_FAR) ? ivec2(-1) : ivec2(inside);
 }
 
-void main()
+// True if a surface rises over the receiver's plane at one of eight pixels at a distance: elsewhere
+// there is no crease. In software only loops save the look-ups of pixels without a crease.
+bool vtkiSurfaceRises(ivec2 pixel, vtkiReceiver receiver, bool lit, float width, int distance)
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
-  vtkiReceiver receiver;
-  bool lit = vtkiFetchReceiver(pixel, receiver);
-  float width = vtkiSampleDistance(receiver.depth);
-  int far = clamp(int(0.5f * VTKI_CREASE_REACH / width), VTKI_CREASE_FAR, VTKI_CREASE_FARTHEST);
-  int rings = 2 + int(far > 4 * VTKI_CREASE_NEAR) + int(far > 16 * VTKI_CREASE_NEAR);
-  // Without a surface that rises over the receiver's plane there is no crease. In software only
-  // loops save the look-ups of pixels without a crease.
   bool rises = false;
   for (int i = 0; i < (lit ? 8 : 0); ++i)
   {
     vec3 position;
     vec3 facet;
-    bool there = vtkiFetchNeighbor(vtkiPixelBeside(pixel, i, far), position, facet);
+    bool there = vtkiFetchNeighbor(vtkiPixelBeside(pixel, i, distance), position, facet);
     float height = dot(receiver.facetVC, position - receiver.positionVC);
-    rises = rises || (there && height > VTKI_CREASE_RISE * width * float(far));
+    rises = rises || (there && height > VTKI_CREASE_RISE * width * float(distance));
   }
+  return rises;
+}
+
+// Finds the nearest flat surface that meets the receiver's own in a crease, at eight pixels in each
+// of some rings. offset: from the receiver to a position on that surface. Returns its normal, zero
+// if there is none.
+vec3 vtkiFindOtherSurface(ivec2 pixel, vtkiReceiver receiver, int rings, int far, out vec3 offset)
+{
   float nearest = 16.0f * VTKI_CREASE_REACH * VTKI_CREASE_REACH;
-  vec3 offset = vec3(0.0f);
   vec3 normal = vec3(0.0f);
-  for (int i = 0; i < (rises ? rings : 0) * 8; ++i)
+  offset = vec3(0.0f);
+  for (int i = 0; i < rings * 8; ++i)
   {
     int distance = min(VTKI_CREASE_NEAR << (2 * (i >> 3)), far);
     ivec2 at = vtkiPixelBeside(pixel, i & 7, distance);
@@ -93,8 +95,7 @@ void main()
     bool there = vtkiFetchNeighbor(at, position, facet);
     vec3 apart = position - receiver.positionVC;
     float apart2 = dot(apart, apart);
-    bool meets = there && apart2 < nearest &&
-      vtkiMeetsInCrease(receiver.facetVC, facet, apart);
+    bool meets = there && apart2 < nearest && vtkiMeetsInCrease(receiver.facetVC, facet, apart);
     for (int k = 0; k < (meets ? 1 : 0); ++k)
     {
       meets = vtkiIsFlatAround(at, way, position, facet) &&
@@ -104,10 +105,16 @@ void main()
     offset = meets ? apart : offset;
     normal = meets ? facet : normal;
   }
-  float extent = VTKI_CREASE_REACH;
+  return normal;
+}
+
+// Returns how far the other surface, or one that stands on it, goes on before the receiver and to
+// both sides, or 0 if it ends at once.
+float vtkiFindExtent(vtkiReceiver receiver, vec3 normal, vec3 offset)
+{
   vec3 outwards = normalize(receiver.facetVC - dot(receiver.facetVC, normal) * normal);
   vec3 along = cross(normal, outwards);
-  // The other surface, or one that stands on it, is there before the receiver and to both sides.
+  float extent = VTKI_CREASE_REACH;
   bool present = false;
   bool found = normal != vec3(0.0f);
   for (int halving = 0; halving < VTKI_CREASE_HALVINGS && found && !present; ++halving)
@@ -127,9 +134,24 @@ void main()
     present = whole;
     extent = present ? extent : 0.5f * extent;
   }
+  return present ? extent : 0.0f;
+}
+
+void main()
+{
+  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  vtkiReceiver receiver;
+  bool lit = vtkiFetchReceiver(pixel, receiver);
+  float width = vtkiSampleDistance(receiver.depth);
+  int far = clamp(int(0.5f * VTKI_CREASE_REACH / width), VTKI_CREASE_FAR, VTKI_CREASE_FARTHEST);
+  int rings = 2 + int(far > 4 * VTKI_CREASE_NEAR) + int(far > 16 * VTKI_CREASE_NEAR);
+  bool rises = vtkiSurfaceRises(pixel, receiver, lit, width, far);
+  vec3 offset;
+  vec3 normal = vtkiFindOtherSurface(pixel, receiver, rises ? rings : 0, far, offset);
+  float extent = vtkiFindExtent(receiver, normal, offset);
   // The plane goes with the normal as packed.
   float code = vtkiPackNormal(mat3(vtkiViewToScene) * normal, VTKI_SURFACE_LINEAR);
   vec3 position = (vtkiViewToScene * vec4(receiver.positionVC + offset, 1.0f)).xyz;
   float plane = dot(vtkiOctahedralDecode(vtkiUnpackCode(code)), position);
-  gl_FragData[0] = present ? vec4(code, plane, extent * extent, 1.0f) : vec4(0.0f);
+  gl_FragData[0] = extent > 0.0f ? vec4(code, plane, extent * extent, 1.0f) : vec4(0.0f);
 }
