@@ -7,8 +7,14 @@ import unittest
 import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPlane
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkDataSetMapper,
+    vtkPolyDataMapper,
+    vtkRenderer,
+)
 
 import support  # noqa: F401
 import vtkindirect
@@ -114,6 +120,34 @@ class CoarseLevels(unittest.TestCase):
         apart = np.sqrt(np.mean((parts - whole) ** 2)) / whole.mean()
         print(f"apart by {apart:.4f}, bias {parts.mean() / whole.mean() - 1.0:+.4f}")
         self.assertLess(apart, 0.01)
+
+    def test_data_sets_have_levels_that_follow_their_points(self) -> None:
+        append = vtkAppendFilter()
+        append.AddInputData(ball(160).GetOutput())
+        append.Update()
+        grid = append.GetOutput()
+
+        def draw(points: vtkPoints | None = None) -> tuple[np.ndarray, str]:
+            if points is None:
+                mapper = vtkDataSetMapper()
+                mapper.SetInputData(grid)
+                self.actors[0].SetMapper(mapper)
+            else:
+                grid.SetPoints(points)
+            self.render()  # maps keep their place while things move
+            sky, _, said = self.render()
+            return sky, said
+
+        before, said = draw()
+        self.assertIn("in place of", said)
+        smaller = vtkPoints()
+        for i in range(grid.GetNumberOfPoints()):
+            smaller.InsertNextPoint(*(0.8 * x for x in grid.GetPoint(i)))
+        live, said = draw(smaller)
+        self.assertIn("in place of", said)
+        fresh, _ = draw()
+        self.assertGreater(np.abs(live - before).max(), 0.1)
+        np.testing.assert_allclose(live, fresh, atol=1e-5)
 
     def test_a_level_in_front_of_its_mesh_hides_nothing_of_it(self) -> None:
         # The ball fills the maps: half a texel is 0.0079, what lookups allow for 0.0022.

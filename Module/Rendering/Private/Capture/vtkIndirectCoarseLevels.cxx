@@ -258,7 +258,7 @@ void vtkIndirectCoarseLevels::RemoveUnneeded(const vtkIndirectFrame& frame)
 {
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    const auto found = this->MadeOf.find(FindMesh(vtkActor::SafeDownCast(caster.Prop)));
+    const auto found = this->MadeOf.find(vtkIndirectDepthDrawer::FindMesh(caster.Prop));
     if (found != this->MadeOf.end())
     {
       Made& made = found->second;
@@ -288,16 +288,21 @@ vtkIndirectMeshParts* vtkIndirectCoarseLevels::Find(vtkProp* prop)
   {
     return given->Parts.get();
   }
-  vtkPolyData* mesh = FindMesh(vtkActor::SafeDownCast(prop));
+  vtkPolyData* mesh = vtkIndirectDepthDrawer::FindMesh(prop);
   if (!mesh)
   {
     return nullptr;
   }
   Made& made = this->MadeOf[mesh];
-  if (made.Mesh != mesh)
+  const vtkTypeUInt64 revision = vtkIndirectRevision::FindShape(mesh);
+  if (made.Mesh != mesh || made.MeshRevision != revision)
   {
+    if (made.Parts)
+    {
+      this->DiscardBuffers(made.Parts.get());
+    }
     made.Mesh = mesh;
-    made.MeshRevision = vtkIndirectRevision::FindShape(mesh);
+    made.MeshRevision = revision;
     made.Parts =
       vtkIndirectDepthDrawer::CountTriangles(prop) < vtkIndirectMeshParts::FewestTriangles
       ? nullptr

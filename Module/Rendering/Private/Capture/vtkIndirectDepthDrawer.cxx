@@ -7,6 +7,7 @@
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkActor.h"
+#include "vtkDataSetMapper.h"
 #include "vtkInformation.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -65,14 +66,38 @@ bool HasShaders(vtkProp* prop)
       shaders->HasGeometryShaderCode() || shaders->GetNumberOfShaderReplacements() > 0);
 }
 
-vtkOpenGLPolyDataMapper* FindMapper(vtkProp* prop)
+vtkMapper* FindOwnMapper(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);
-  auto* mapper = actor ? vtkOpenGLPolyDataMapper::SafeDownCast(actor->GetMapper()) : nullptr;
-  // Subclasses may draw something else.
-  const bool plain = mapper && std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0 &&
+  return actor ? actor->GetMapper() : nullptr;
+}
+
+// Returns VTK's own mapper of polygons, or the one that VTK's own mapper of data sets draws with.
+// Subclasses may draw something else.
+vtkOpenGLPolyDataMapper* FindMapper(vtkProp* prop)
+{
+  vtkMapper* mapper = FindOwnMapper(prop);
+  auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
+  if (dataSetMapper && std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0)
+  {
+    mapper = dataSetMapper->GetPolyDataMapper();
+  }
+  const bool plain = mapper && std::strcmp(prop->GetClassName(), "vtkOpenGLActor") == 0 &&
     std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
-  return plain ? mapper : nullptr;
+  return plain ? static_cast<vtkOpenGLPolyDataMapper*>(mapper) : nullptr;
+}
+
+// Returns true if the buffers of a mapper hold what the prop's own mapper would draw now.
+bool IsBuilt(vtkProp* prop, vtkOpenGLPolyDataMapper* mapper)
+{
+  vtkMapper* own = FindOwnMapper(prop);
+  vtkDataObject* data = own->GetInputDataObject(0, 0);
+  vtkPolyData* input = mapper->GetInput();
+  vtkOpenGLVertexBufferObject* positions = MapperAccess::GetPositions(mapper);
+  const vtkMTimeType built = MapperAccess::GetBuildTime(mapper);
+  return data && input && positions && MapperAccess::CountPositions(mapper) > 0 &&
+    positions->GetHandle() != 0 && built > mapper->GetMTime() && built > input->GetMTime() &&
+    built > own->GetMTime() && built > data->GetMTime();
 }
 }
 
@@ -101,18 +126,21 @@ bool vtkIndirectDepthDrawer::CanDraw(vtkProp* prop)
   }
 #endif
   vtkProperty* property = actor->GetProperty();
-  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  vtkPlaneCollection* planes = actor->GetMapper()->GetClippingPlanes();
   if (property->GetRepresentation() != VTK_SURFACE || property->GetBackfaceCulling() ||
     property->GetFrontfaceCulling() || actor->GetTexture() || property->GetNumberOfTextures() > 0 ||
     (planes && planes->GetNumberOfItems() > 0))
   {
     return false;
   }
-  vtkPolyData* input = mapper->GetInput();
-  vtkOpenGLVertexBufferObject* positions = MapperAccess::GetPositions(mapper);
-  const vtkMTimeType built = MapperAccess::GetBuildTime(mapper);
-  return input && positions && MapperAccess::CountPositions(mapper) > 0 &&
-    built > mapper->GetMTime() && built > input->GetMTime() && positions->GetHandle() != 0;
+  return IsBuilt(prop, mapper);
+}
+
+//------------------------------------------------------------------------------
+vtkPolyData* vtkIndirectDepthDrawer::FindMesh(vtkProp* prop)
+{
+  vtkOpenGLPolyDataMapper* mapper = FindMapper(prop);
+  return mapper ? mapper->GetInput() : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -15,6 +15,7 @@
 class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
+class vtkPolyData;
 class vtkProp;
 class vtkShaderProgram;
 
@@ -30,6 +31,8 @@ public:
    */
   static bool CanDraw(vtkProp* prop);
 
+  /** The polygons that such a prop draws; null for other props. */
+  static vtkPolyData* FindMesh(vtkProp* prop);
   /** Number of triangles of a prop for which CanDraw is true. */
   static size_t CountTriangles(vtkProp* prop);
   /** These triangles, by numbers of the mesh's points, or none if the mapper numbers them
