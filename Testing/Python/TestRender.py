@@ -123,7 +123,7 @@ class Render(unittest.TestCase):
         """A ball has so many triangles that a frame has time for 64 depth maps of 100."""
         document = support.small_scene()
         document["actors"].append(
-            {"source": "sphere", "center": [0.5, 0.3, 0.5], "radius": 0.3, "resolution": 450}
+            {"source": "sphere", "center": [0.5, 0.3, 0.5], "radius": 0.3, "resolution": 700}
         )
         document["lights"][0]["attenuation"] = [1, 0, 0]
         with tempfile.TemporaryDirectory() as directory:

@@ -23,8 +23,8 @@ namespace
 {
 const glm::dvec3 WhiteFloor(0.8);
 
-// Update rates at which a frame of 80,000 triangles has time for 8 maps, for 128, for 129 with a
-// still camera, and for 769.
+// Update rates at which a frame of 169,000 triangles, drawn in the time of 80,000 has time for 8
+// maps, for 128, for 129 with a still camera, and for 769.
 constexpr double Moving = 15.0;
 constexpr double MovingAtOnce = 1.0;
 constexpr double Still = 0.99;
@@ -37,7 +37,7 @@ struct SkyScene : Scene
   SkyScene(vtkEnvironmentLight* sky, bool open)
     : Scene(96, 72)
   {
-    this->Ball = this->AddSphere({ 1.2, 0.5, 1.2 }, 0.5, 200, WhiteFloor);
+    this->Ball = this->AddSphere({ 1.2, 0.5, 1.2 }, 0.5, 291, WhiteFloor);
     if (!open)
     {
       this->AddQuad({ -2, 0, 2 }, { 2, 0, 2 }, { -2, 0, -2 }, WhiteFloor);
@@ -113,7 +113,8 @@ void CheckArrival(bool moving)
   {
     const Image image = scene.RenderAt(rate);
     const double now = scene.CountTiles();
-    CheckAtMost(name + "maps drawn in a frame", now - drawn, moving ? 8 : 130, "80,000 triangles");
+    CheckAtMost(name + "maps drawn in a frame", now - drawn, moving ? 8 : 130,
+      "169,000 triangles, drawn in the time of 80,000");
     CheckAtLeast(name + "and at least", now - drawn, 1, "all are asked for");
     CheckAtMost(name + "bytes", scene.ReadReport("bytes"), bytes, "those of all at once");
     const double error = FindRelativeError(image, expected, normal) / without;
@@ -202,7 +203,8 @@ VTK_INDIRECT_TEST(SkyArrivesWithManySuns)
   for (int frames = 0; drawn < all && frames < 100; ++frames)
   {
     now = scene.RenderAt(Moving);
-    CheckAtMost("maps drawn in a frame", scene.CountTiles() - drawn, 8, "80,000 triangles");
+    CheckAtMost("maps drawn in a frame", scene.CountTiles() - drawn, 8,
+      "169,000 triangles, drawn in the time of 80,000");
     drawn = scene.CountTiles();
     if (frames < 5)
     {
@@ -243,7 +245,8 @@ VTK_INDIRECT_TEST(SkyOfMovingThings)
   for (int frames = 0; drawn < all && frames < 100; ++frames)
   {
     now = scene.RenderAt(Moving);
-    CheckAtMost("maps drawn in a frame", scene.CountTiles() - drawn, 8, "80,000 triangles");
+    CheckAtMost("maps drawn in a frame", scene.CountTiles() - drawn, 8,
+      "169,000 triangles, drawn in the time of 80,000");
     drawn = scene.CountTiles();
     double squares = 0.0;
     double sum = 0.0;
@@ -280,7 +283,8 @@ VTK_INDIRECT_TEST(SkySharesTheTimeForMaps)
     scene.Render();
     const double drawn = scene.ReadReport("tiles_drawn") - all;
     const double drawnOfSky = scene.CountTiles() - ofSky;
-    CheckAtMost("maps drawn in a frame", drawn, 8, "80,000 triangles");
+    CheckAtMost(
+      "maps drawn in a frame", drawn, 8, "169,000 triangles, drawn in the time of 80,000");
     if (frames < 10)
     {
       CheckAtLeast("of the sky", drawnOfSky, 4, "half of the time");
