@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace
 {
@@ -134,12 +135,10 @@ void vtkIndirectCoarseLevels::Join(Entry& entry)
   parts.NumberOfLevels = entry.Levels.size();
   for (const Given& level : entry.Levels)
   {
-    const auto first = static_cast<unsigned int>(parts.Points.size() / 6);
+    const auto first = static_cast<unsigned int>(parts.CountPoints());
     for (const glm::dvec3& p : level.Points)
     {
-      const glm::vec3 relative(p - parts.Middle);
-      parts.Points.insert(
-        parts.Points.end(), { relative.x, relative.y, relative.z, 0.0f, 0.0f, 0.0f });
+      parts.AddPoint(p);
     }
     parts.Parts.front().Levels.push_back(
       { parts.Indices.size(), level.Indices.size(), level.Error });
@@ -256,26 +255,21 @@ void vtkIndirectCoarseLevels::Update(vtkIndirectFrame& frame)
 // Removes the parts of meshes that have changed or that no caster has.
 void vtkIndirectCoarseLevels::RemoveUnneeded(const vtkIndirectFrame& frame)
 {
+  std::set<vtkPolyData*> needed;
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    const auto found = this->MadeOf.find(vtkIndirectDepthDrawer::FindMesh(caster.Prop));
-    if (found != this->MadeOf.end())
-    {
-      Made& made = found->second;
-      made.Needed = made.Mesh && vtkIndirectRevision::FindShape(made.Mesh) == made.MeshRevision;
-    }
+    needed.insert(vtkIndirectDepthDrawer::FindMesh(caster.Prop));
   }
   for (auto it = this->MadeOf.begin(); it != this->MadeOf.end();)
   {
-    if (!it->second.Needed && it->second.Parts)
+    const Made& made = it->second;
+    const bool stays = made.Mesh && needed.count(made.Mesh) > 0 &&
+      vtkIndirectRevision::FindShape(made.Mesh) == made.MeshRevision;
+    if (!stays && made.Parts)
     {
-      this->DiscardBuffers(it->second.Parts.get());
+      this->DiscardBuffers(made.Parts.get());
     }
-    it = it->second.Needed ? std::next(it) : this->MadeOf.erase(it);
-  }
-  for (auto& made : this->MadeOf)
-  {
-    made.second.Needed = false;
+    it = stays ? std::next(it) : this->MadeOf.erase(it);
   }
 }
 
@@ -309,13 +303,6 @@ vtkIndirectMeshParts* vtkIndirectCoarseLevels::Find(vtkProp* prop)
       : vtkIndirectMeshParts::Make(mesh, vtkIndirectDepthDrawer::ReadTriangles(prop));
   }
   return made.Parts.get();
-}
-
-//------------------------------------------------------------------------------
-double vtkIndirectCoarseLevels::FindScale(vtkProp* prop)
-{
-  const glm::dmat4 m(vtkIndirectFrame::ToGLM(prop->GetMatrix()));
-  return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
 }
 
 //------------------------------------------------------------------------------

@@ -46,8 +46,6 @@ public:
    * vtkIndirectDepthDrawer can draw.
    */
   vtkIndirectMeshParts* Find(vtkProp* prop);
-  /** Factor from lengths in a prop's mesh to world units, or a bound of it. */
-  static double FindScale(vtkProp* prop);
 
   /** Counts the triangles that maps drew, and those of the full meshes. */
   void Count(size_t drawn, size_t full);
@@ -80,7 +78,6 @@ private:
   {
     vtkWeakPointer<vtkPolyData> Mesh;
     vtkTypeUInt64 MeshRevision = 0;
-    bool Needed = false;                         // a caster of the frame has the mesh
     std::unique_ptr<vtkIndirectMeshParts> Parts; // null: the mesh has none
   };
   std::vector<Entry> Entries;

@@ -208,7 +208,7 @@ bool vtkIndirectDepthDrawer::Begin(
     restore[3] = glm::dvec4(parts->Middle, 1.0);
     this->ToWorld *= restore;
     this->Vertices->Bind();
-    const int stride = 6 * sizeof(float);
+    const int stride = vtkIndirectMeshParts::FloatsOfPoint * sizeof(float);
     this->Vertices->AddAttributeArray(
       this->Program, parts->PointBuffer, "vertexMC", 0, stride, VTK_FLOAT, 3, false);
     this->Vertices->AddAttributeArray(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/vtkIndirectMeshParts.h"
 
+#include "Frame/vtkIndirectRevision.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkPolyData.h"
 
@@ -98,7 +99,7 @@ public:
     this->Made->HasInsets = true;
     for (const glm::dvec3& p : this->Points)
     {
-      this->AddPoint(p);
+      this->Made->AddPoint(p);
     }
     this->Divide(longest);
     this->AddMesh();
@@ -132,14 +133,6 @@ private:
   std::vector<char> Stays;         // one entry a point: 1 for a point that no level joins
   std::vector<glm::dvec3> Normals; // of the triangles
   std::unique_ptr<vtkIndirectMeshParts> Made;
-
-  unsigned int AddPoint(const glm::dvec3& p)
-  {
-    const glm::vec3 relative(p - this->Made->Middle);
-    this->Made->Points.insert(
-      this->Made->Points.end(), { relative.x, relative.y, relative.z, 0.0f, 0.0f, 0.0f });
-    return static_cast<unsigned int>(this->Made->Points.size() / 6 - 1);
-  }
 
   // Returns the number of the cell of a grid that holds a place.
   std::uint64_t FindCell(const glm::dvec3& p, double width) const
@@ -204,22 +197,14 @@ private:
     {
       for (size_t i = 0; i < 3; ++i)
       {
-        sums[t[i]] += Scatter(t[(i + 1) % 3]) - Scatter(t[(i + 2) % 3]);
+        sums[t[i]] += vtkIndirectRevision::Join(0, t[(i + 1) % 3]) -
+          vtkIndirectRevision::Join(0, t[(i + 2) % 3]);
       }
     }
     for (size_t i = 0; i < sums.size(); ++i)
     {
       this->Stays[i] = sums[i] != 0 ? 1 : this->Stays[i];
     }
-  }
-
-  // The finalizer of SplitMix64 (Steele, Lea, Flood 2014).
-  static std::uint64_t Scatter(std::uint64_t x)
-  {
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return x ^ (x >> 31);
   }
 
   void FindNormals()
@@ -311,38 +296,25 @@ private:
       {
         const glm::dvec3 mean = sums[first] / static_cast<double>(numbers[first]);
         // The first of the points has the lowest number.
-        joined[i] = first == i ? this->AddPoint(mean) : joined[first];
+        joined[i] = first == i ? this->Made->AddPoint(mean) : joined[first];
         moves[i] = mean - this->Points[i];
       }
     }
     return joined;
   }
 
-  // Sets the insets of joined points.
-  void SetInsets(const std::vector<unsigned int>& joined, const std::vector<glm::dvec3>& moves)
+  // Sets the insets of joined points, from the sums of the normals around them and their greatest
+  // distances from the planes there.
+  void SetInsets(const std::vector<glm::dvec3>& normals, const std::vector<double>& distances)
   {
-    const size_t count = this->Made->Points.size() / 6;
-    std::vector<glm::dvec3> normals(count, glm::dvec3(0.0));
-    std::vector<double> distances(count, 0.0);
-    for (size_t i = 0; i < this->Triangles.size(); ++i)
-    {
-      for (const unsigned int point : this->Triangles[i])
-      {
-        const unsigned int made = joined[point];
-        normals[made] += this->Normals[i];
-        distances[made] =
-          std::max(distances[made], std::abs(glm::dot(this->Normals[i], moves[point])));
-      }
-    }
-    for (size_t i = 0; i < count; ++i)
+    for (size_t i = 0; i < normals.size(); ++i)
     {
       const double length = glm::length(normals[i]);
-      const glm::vec3 inset(distances[i] > 0.0 && length > 0.0
-          ? normals[i] * (distances[i] / length)
-          : glm::dvec3(0.0));
-      if (distances[i] > 0.0)
+      if (distances[i] > 0.0 && length > 0.0)
       {
-        std::copy(&inset[0], &inset[0] + 3, this->Made->Points.begin() + 6 * i + 3);
+        const glm::vec3 inset(normals[i] * (distances[i] / length));
+        std::copy(&inset[0], &inset[0] + 3,
+          &this->Made->Points[vtkIndirectMeshParts::FloatsOfPoint * i + 3]);
       }
     }
   }
@@ -352,7 +324,9 @@ private:
   {
     std::vector<glm::dvec3> moves;
     const std::vector<unsigned int> joined = this->JoinPoints(width, moves);
-    this->SetInsets(joined, moves);
+    const size_t points = this->Made->CountPoints();
+    std::vector<glm::dvec3> normals(points, glm::dvec3(0.0));
+    std::vector<double> distances(points, 0.0);
     size_t count = 0;
     std::vector<Triangle> kept;
     for (size_t k = 0; k < this->Made->Parts.size(); ++k)
@@ -366,6 +340,8 @@ private:
         {
           const double distance = glm::dot(this->Normals[i], moves[point]);
           squares += distance * distance;
+          normals[joined[point]] += this->Normals[i];
+          distances[joined[point]] = std::max(distances[joined[point]], std::abs(distance));
         }
         Triangle made = { joined[t[0]], joined[t[1]], joined[t[2]] };
         if (made[0] != made[1] && made[1] != made[2] && made[2] != made[0])
@@ -387,6 +363,7 @@ private:
       this->Made->Parts[k].Levels.push_back({ first, 3 * kept.size(), error });
       count += kept.size();
     }
+    this->SetInsets(normals, distances);
     return count;
   }
 
@@ -418,6 +395,14 @@ std::unique_ptr<vtkIndirectMeshParts> vtkIndirectMeshParts::Make(
     return nullptr;
   }
   return Maker(std::move(points), std::move(triangles)).Make();
+}
+
+//------------------------------------------------------------------------------
+unsigned int vtkIndirectMeshParts::AddPoint(const glm::dvec3& p)
+{
+  const glm::vec3 relative(p - this->Middle);
+  this->Points.insert(this->Points.end(), { relative.x, relative.y, relative.z, 0.0f, 0.0f, 0.0f });
+  return static_cast<unsigned int>(this->CountPoints() - 1);
 }
 
 //------------------------------------------------------------------------------

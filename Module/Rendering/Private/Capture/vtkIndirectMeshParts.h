@@ -4,7 +4,8 @@
 // points at their borders in all levels, so that parts of different levels leave no gap.
 #pragma once
 
-#include "vtkSmartPointer.h" // for members
+#include "Frame/vtkIndirectPropKind.h" // for the number of triangles
+#include "vtkSmartPointer.h"           // for members
 
 #include <array>   // for bounds
 #include <cstddef> // for size_t
@@ -18,7 +19,7 @@ class vtkPolyData;
 struct vtkIndirectMeshParts
 {
   /** Meshes of fewer triangles are drawn as fast as their parts. */
-  static constexpr size_t FewestTriangles = 20000;
+  static constexpr size_t FewestTriangles = vtkIndirectPropKind::DenseTriangles;
 
   using Triangle = std::array<unsigned int, 3>; // numbers of points
 
@@ -40,6 +41,7 @@ struct vtkIndirectMeshParts
   /** Positions relative to Middle, each followed by its inset: the way by which the point is drawn
    * farther from the emitter, or its opposite. */
   std::vector<float> Points;
+  static constexpr size_t FloatsOfPoint = 6;
   std::vector<unsigned int> Indices;
   glm::dvec3 Middle{ 0.0 };
   size_t NumberOfLevels = 0;
@@ -62,6 +64,9 @@ struct vtkIndirectMeshParts
   static std::unique_ptr<vtkIndirectMeshParts> Make(
     vtkPolyData* mesh, std::vector<Triangle> triangles);
 
+  /** Adds a point without an inset. Returns its number. */
+  unsigned int AddPoint(const glm::dvec3& p);
+  size_t CountPoints() const { return this->Points.size() / FloatsOfPoint; }
   size_t GetBytes() const
   {
     return this->Points.size() * sizeof(float) + this->Indices.size() * sizeof(unsigned int);

@@ -111,7 +111,7 @@ double CountTriangles(vtkPolyData* data)
 // seen.
 double FindDepthTriangles(double triangles)
 {
-  const double fewest = 20000.0;
+  const auto fewest = static_cast<double>(vtkIndirectPropKind::DenseTriangles);
   return triangles < fewest ? triangles : fewest + 0.4 * (triangles - fewest);
 }
 

@@ -2,7 +2,8 @@
 // How VTK draws the opaque geometry of a prop, as far as indirect light is concerned.
 #pragma once
 
-#include <string> // for descriptions
+#include <cstddef> // for size_t
+#include <string>  // for descriptions
 
 class vtkActor;
 class vtkProp;
@@ -33,6 +34,8 @@ struct vtkIndirectPropKind
   bool CoversFully = false;
   /** Approximate number of its triangles; 1e9 if its mapper alone knows. */
   double NumberOfTriangles = 0.0;
+  /** Depth maps draw meshes of as many triangles by coarse levels, see vtkIndirectMeshParts. */
+  static constexpr size_t DenseTriangles = 20000;
   /** Number of triangles that take as long in a depth map; a guess if its mapper alone knows. */
   double DepthTriangles = 0.0;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectPartViews.h"
 
-#include "Capture/vtkIndirectCoarseLevels.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Visibility/vtkIndirectDepthTile.h"
 #include "vtkProp.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace
@@ -14,12 +14,19 @@ namespace
 // A level deviates from its mesh by at most this many texels: the neighbours of a texel are as far
 // away.
 constexpr double MostErrorOfLevels = 0.5;
+
+// Returns the factor from lengths in a prop's mesh to world units, or a bound of it.
+double FindScale(vtkProp* prop)
+{
+  const glm::dmat4 m(vtkIndirectFrame::ToGLM(prop->GetMatrix()));
+  return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+}
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectPartViews::vtkIndirectPartViews(const vtkIndirectMeshParts& parts, vtkProp* prop)
   : Parts(parts)
-  , Scale(vtkIndirectCoarseLevels::FindScale(prop))
+  , Scale(FindScale(prop))
   , Seen(parts.Parts.size(), 0)
   , Levels(parts.NumberOfLevels)
 {
