@@ -34,7 +34,9 @@ class Method:
 
 
 _ROWS = (
-    Method("auto", None, None, "the pass chooses from the scene"),
+    Method(
+        "auto", None, None, "the pass's defaults: multiresolution splatting with lights of a tree"
+    ),
     Method("off", None, None, "no indirect light: VTK's own image"),
     Method("gather", "vtkRSMGatherPass", "vtkLightTreeSampler", "sum over virtual lights"),
     Method(
