@@ -61,13 +61,19 @@ Times = dict[str, dict[str, float]]
 
 
 class Bench:
-    """A renderer in a window, its pass, and the two estimators with one sampler."""
+    """A renderer in a window, its pass, and the two estimators with one sampler.
+
+    The lights are even ones, as in the paper, with one bounce and nothing that hides them.
+    """
 
     def __init__(self, renderer: vtkRenderer, window: Any) -> None:
         self.renderer = renderer
         self.window = window
-        self.indirect = methods.enable(renderer, "gather", Caching=False, Visibility="none")
-        self.sampler = self.indirect.GetSampler()
+        self.indirect = methods.enable(
+            renderer, "gather", Caching=False, Visibility="none", NumberOfBounces=1
+        )
+        self.sampler = vtkindirect.vtkUniformLightSampler()
+        self.indirect.SetSampler(self.sampler)
         self.gather = vtkindirect.vtkRSMGatherPass()
         self.gather.InterpolationOff()
         self.splatting = vtkindirect.vtkMultiresolutionSplattingPass()
