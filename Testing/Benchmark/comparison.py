@@ -136,6 +136,7 @@ class Run(compare.Run):
         }
         self._truth: orbit.Truth | Exception | None = None
         self._normal: np.ndarray | None = None
+        self._normals: list[np.ndarray] = []
         if comparison.sweep.flicker and not self.with_errors:
             self.missing["flicker"] = self.missing["errors"]
         if not references.has_r1(scene):
@@ -241,7 +242,7 @@ class Run(compare.Run):
     def _flicker(self, row: Row) -> Result:
         truth = self.truth()
         methods.enable(self.scene.renderer, row.method, row.sampler, **row.settings)
-        return orbit.judge(self.scene, truth)
+        return orbit.judge(orbit.frames(self.scene, truth.factor), truth)
 
     def attempt(self, row: Row, work: Callable[[], Result]) -> Result:
         """The same, kept in the journal."""
@@ -275,7 +276,12 @@ class Run(compare.Run):
             ]
         return rows
 
-    def _traced(self, row: Row, traced: Traced) -> Result:
+    def _names_for_flicker(self, row: Row) -> bool:
+        """True where the sweep names a row of the path tracer, whose path is eight more images."""
+        named = self.comparison.sweep.flicker
+        return not isinstance(named, bool) and row.label in named and "flicker" not in self.missing
+
+    def _traced(self, row: Row, traced: Traced, path: list[np.ndarray]) -> Result:
         times = [1000.0 * seconds for seconds in traced.seconds]
         result: Result = {
             "frames": len(times),
@@ -283,47 +289,70 @@ class Run(compare.Run):
             "indirect_p95_ms": frames.percentile_95(times),
         }
         result.update(self.judged(row, {references.ALL_LIGHT: traced.image}))
+        if path and self._names_for_flicker(row):
+            truth = self.truth()
+            result.update(orbit.judge([orbit.thin(image, truth.factor) for image in path], truth))
         return result
 
-    def _denoised(self, row: Row, traced: Traced) -> Result:
+    def _denoised(self, row: Row, traced: Traced, path: list[np.ndarray]) -> Result:
         """Times and errors of a traced image after denoising, guided by the normals of its pixels."""
-        assert self.comparison.denoiser is not None
+        denoiser = self.comparison.denoiser
+        assert denoiser is not None
         if self._normal is None:
             self._normal = references.eye(self.scene)[1]
-        image, seconds = self.comparison.denoiser.denoised(traced.image, self._normal)
+        image, seconds = denoiser.denoised(traced.image, self._normal)
         times = [second + seconds for second in traced.seconds]
-        return self._traced(row, Traced(traced.name, image, times))
+        if path and self._names_for_flicker(row):
+            self._normals = self._normals or orbit.normals(self.scene)
+            path = [denoiser.denoised(*pair)[0] for pair in zip(path, self._normals)]
+        return self._traced(row, Traced(traced.name, image, times), path)
 
     def _trace(self, rows: list[Row], step: Callable[[Row], None]) -> Iterator[list[Result]]:
-        """Results of each of the path tracer's rows, raw and denoised, by one process for all."""
-        wanted = [{"name": str(index), **row.settings} for index, row in enumerate(rows)]
-        for entry in wanted:
-            entry["depth"] = entry.pop("bounces")
+        """Results of each of the path tracer's rows, raw and denoised, by one process for all.
+
+        Frames along the camera's path come first, those of one azimuth together: they share a process.
+        """
+        wanted = [
+            {"name": row.label, "samples": row.settings["samples"], "depth": row.settings["bounces"]}
+            for row in rows
+        ]
+        turning = [
+            entry
+            for row, entry in zip(rows, wanted)
+            if self._names_for_flicker(row) or self._names_for_flicker(denoised_row(row))
+        ]
+        turned = [{**entry, "azimuth": angle} for angle in orbit.ANGLES for entry in turning]
+        numbered = [{**entry, "name": str(i)} for i, entry in enumerate(turned + wanted)]
         failed: Exception | None = None
         found = reference_environment.trace(
-            self.comparison.python, self.scene.path, self.size, wanted
+            self.comparison.python, self.scene.path, self.size, numbered
         )
+        paths: dict[str, list[np.ndarray]] = {}
+        try:
+            for entry in turned:
+                paths.setdefault(entry["name"], []).append(next(found).image)
+        except Exception as error:
+            failed = _reason(error)
         for row in rows:
             step(row)
             traced: Traced | None = None
+            path = paths.get(row.label, [])
             if failed is None:
                 try:
                     traced = next(found)
                 except Exception as error:
-                    failed = error if not isinstance(error, StopIteration) else RenderError(
-                        "the path tracer ended too early"
-                    )
+                    failed = _reason(error)
 
-            def work(row: Row = row, traced: Traced | None = traced) -> Result:
+            def work() -> Result:
                 if traced is None:
                     assert failed is not None
                     raise failed
-                return self._traced(row, traced)
+                return self._traced(row, traced, path)
 
             results = [self.attempt(row, work)]
             if self.comparison.denoiser is not None and traced is not None:
                 clean = denoised_row(row)
-                results.append(self.attempt(clean, lambda: self._denoised(clean, traced)))
+                results.append(self.attempt(clean, lambda: self._denoised(clean, traced, path)))
             yield results
         found.close()
 
@@ -357,6 +386,13 @@ class Run(compare.Run):
             result["missing"] = self.missing
         self.scene.render_window.Finalize()
         return results
+
+
+def _reason(error: Exception) -> Exception:
+    """The error itself, or the one that a path tracer which ended too early stands for."""
+    if isinstance(error, StopIteration):
+        return RenderError("the path tracer ended too early")
+    return error
 
 
 def denoised_row(row: Row) -> Row:

@@ -25,6 +25,9 @@ FRAMES = 8
 STEP = 0.5
 """Degrees between frames: a few pixels at the sizes that are compared."""
 
+ANGLES = [STEP * (index - 0.5 * (FRAMES - 1)) for index in range(FRAMES)]
+"""Azimuth of each frame, in degrees from where the scene has the camera."""
+
 MAP_TEXELS = 128
 """Edge of the maps that make the reference; its own relMSE is below 2e-5."""
 
@@ -54,15 +57,15 @@ def thin(image: np.ndarray, by: int) -> np.ndarray:
     return image[centre, centre]
 
 
-def _frames(scene: Scene, count: int = FRAMES) -> Iterator[None]:
+def _frames(scene: Scene) -> Iterator[None]:
     """Render each frame of the path; the camera is as before afterwards."""
     camera = scene.renderer.GetActiveCamera()
     before = vtkCamera()
     before.DeepCopy(camera)
     try:
-        for index in range(count):
+        for angle in ANGLES:
             camera.DeepCopy(before)
-            camera.Azimuth(STEP * (index - 0.5 * (count - 1)))
+            camera.Azimuth(angle)
             camera.OrthogonalizeViewUp()
             with messages.capture() as said:
                 scene.render_window.Render()
@@ -76,6 +79,15 @@ def _frames(scene: Scene, count: int = FRAMES) -> Iterator[None]:
 def frames(scene: Scene, by: int) -> list[np.ndarray]:
     """Irradiance of each frame by the pass that is on, thinned out."""
     return [thin(images.copy_buffer(scene.renderer, "irradiance"), by) for _ in _frames(scene)]
+
+
+def normals(scene: Scene) -> list[np.ndarray]:
+    """Normals of each frame's pixels, 0 without a surface."""
+    methods.enable(scene.renderer, "gather", lighting="scene", NumberOfLights=1)
+    try:
+        return [images.copy_buffer(scene.renderer, "normal") for _ in _frames(scene)]
+    finally:
+        methods.disable(scene.renderer)
 
 
 def truth(scene: Scene, size: tuple[int, int]) -> Truth:
@@ -168,9 +180,8 @@ def flicker(
     return total / light
 
 
-def judge(scene: Scene, against: Truth) -> dict[str, float]:
-    """Flicker of the pass that is on and of its error, and how much its image changes at all."""
-    found = frames(scene, against.factor)
+def judge(found: list[np.ndarray], against: Truth) -> dict[str, float]:
+    """Flicker of thinned images and of their error, and how much the images change at all."""
     return {
         "flicker": flicker(found, against.frames, against.masks),
         "flicker_error": error_flicker(found, against.frames, against.masks),

@@ -145,7 +145,7 @@ class Traced:
 def trace(
     python: Path, scene: Path, size: tuple[int, int], rows: list[dict[str, Any]]
 ) -> Iterator[Traced]:
-    """Trace a scene file for each row ({"name", "samples", "depth"}), in order.
+    """Trace a scene file for each row ({"name", "samples", "depth", maybe "azimuth"}), in order.
 
     Raises `RenderError` when tracing fails; rows that were yielded before that are good.
     """

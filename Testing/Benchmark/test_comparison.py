@@ -237,7 +237,12 @@ class WhatTheTextNames(unittest.TestCase):
         # No row of the path tracer has the default's error.
         self.assertIn("| > 0.3 | > 15.0 |", publish.at_a_glance(rows[:2] + rows[2:4][:1] + [
             row("mitsuba all bounces denoised 4 spp", "mitsuba", 0.03, indirect_ms=300.0)]))
-        self.assertIn("|  |  |\n\nThe path tracer has", publish.at_a_glance(rows[:2]))
+        self.assertIn("|  |  |\n\nWhere the path tracer wins", publish.at_a_glance(rows[:2]))
+        # 300 ms are later than the default's frame of 20 ms, and sooner than its first of 400 ms.
+        rows[1]["first_ms"] = 400.0
+        text = publish.at_a_glance(rows)
+        self.assertIn("frame ends in: none of these scenes; before", text)
+        self.assertIn("is there in: s. Its least relMSE, whatever the time, is below the default's in: s.", text)
 
 
 class LightFromTheSky(unittest.TestCase):
@@ -351,7 +356,7 @@ class Orbit(DirectoryTest):
         self.assertGreater(orbit.change(truth.frames, truth.masks), 0.0)
         size = orbit.MAP_TEXELS
         methods.enable(scene.renderer, "reference", ReflectiveShadowMapResolution=size)
-        itself = orbit.judge(scene, truth)
+        itself = orbit.judge(orbit.frames(scene, truth.factor), truth)
         self.assertEqual((itself["flicker"], itself["flicker_error"]), (0.0, 0.0))
         # Light that blinks by a tenth changes the image by that from frame to frame.
         light = scene.lights[0]
@@ -494,6 +499,42 @@ class Command(DirectoryTest):
         self.assertEqual((raw["indirect_ms"], clean["indirect_ms"]), (500.0, 750.0))
         self.assertNotEqual(raw["bias_r1"], clean["bias_r1"])
         self.assertEqual(rows[1], rows[0])
+
+    def test_flicker_of_traced_images(self) -> None:
+        # The path of the raw row blinks, the path of the denoised row is the reference itself.
+        scene = load_scene(self.write("small.json", small_scene()))
+        raw = "mitsuba one bounce 4 spp"
+        clean = "mitsuba one bounce denoised 4 spp"
+        what = sweep.Sweep([], [raw, clean], {"one_bounce": [4], "all_bounces": []})
+        shape = (scene.size[1], scene.size[0], 3)
+        frames_of_path = []
+        denoiser = mock.Mock()
+        denoiser.denoised.side_effect = lambda image, normal: (truth(image), 0.25)
+        asked = []
+
+        def truth(image: np.ndarray) -> np.ndarray:
+            frame = len(frames_of_path)
+            if image.mean() == 0.5 or frame == orbit.FRAMES:
+                return image
+            frames_of_path.append(frame)
+            return np.repeat(np.repeat(run.truth().frames[frame], factor, axis=0), factor, axis=1)
+
+        def trace(_python: Any, _scene: Any, _size: Any, rows: list[dict[str, Any]]) -> Any:
+            asked.extend(rows)
+            for index, row in enumerate(rows):
+                value = 1.0 + index % 2 if "azimuth" in row else 0.5
+                yield comparison.Traced(row["name"], np.full(shape, value), [0.5])
+
+        wanted = comparison.Comparison(
+            what, self.directory, frames=1, python=self.directory, denoiser=denoiser
+        )
+        factor = orbit.factor(scene.size)
+        with mock.patch.object(comparison.reference_environment, "trace", side_effect=trace):
+            run = comparison.Run(wanted, scene)
+            rows = {row["label"]: row for row in run.run(what.rows, lambda _: None)}
+        self.assertEqual([row.get("azimuth") for row in asked], [*orbit.ANGLES, None])
+        self.assertGreater(rows[raw]["flicker"], 0.5)
+        self.assertEqual(rows[clean]["flicker_error"], 0.0)
 
     def test_finished_rows_are_not_run_again(self) -> None:
         self.assertNotIn("flicker", self.compare("--methods", "gather")[-1])

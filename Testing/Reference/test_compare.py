@@ -130,6 +130,7 @@ class Traced(unittest.TestCase):
             sweep = folder / "sweep.json"
             sweep.write_text(
                 '{"schema": "vtkindirect.sweep/1", "rows": [{"method": "gather"}],'
+                ' "flicker": ["mitsuba one bounce 4 spp", "mitsuba one bounce denoised 4 spp"],'
                 ' "path_tracer": {"one_bounce": [4, 64], "all_bounces": [4, 64]}}'
             )
             words = [
@@ -159,6 +160,12 @@ class Traced(unittest.TestCase):
                 self.assertLess(abs(float(many[f"bias_{truth}"])), 0.01, curve)
                 self.assertLess(float(many[f"flip_{truth}"]), float(few[f"flip_{truth}"]))
                 self.assertGreater(float(many["indirect_ms"]), 0.0)
+            # Noise is new in each frame of the camera's path.
+            raw, clean = (float(rows[f"mitsuba one bounce {word}4 spp"]["flicker"])
+                          for word in ("", "denoised "))  # fmt: skip
+            self.assertGreater(raw, 2.0 * clean)
+            self.assertGreater(clean, 0.0)
+            self.assertFalse(rows["mitsuba one bounce 64 spp"]["flicker"])
             self.assertGreater(float(rows["gather"]["flip_r1"]), 0.0)
             # Nothing is done twice, and the page is the same.
             journal = (folder / "report" / "rows.jsonl").read_text()

@@ -38,11 +38,15 @@ def tracer_python() -> Path:
     return path
 
 
-def describe(path: Path) -> Description:
-    """Return what VTK draws of a scene file."""
+def describe(path: Path, azimuth: float = 0.0) -> Description:
+    """Return what VTK draws of a scene file, with the camera turned by `azimuth` degrees."""
     import vtkindirect
 
     scene = vtkindirect.load_scene(path)
+    if azimuth:
+        camera = scene.renderer.GetActiveCamera()
+        camera.Azimuth(azimuth)
+        camera.OrthogonalizeViewUp()
     return exporter.export_renderer(
         scene.renderer,
         scene.name,

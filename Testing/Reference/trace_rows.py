@@ -4,18 +4,22 @@
 
     trace_rows.py SCENE.json FOLDER < job
 
-Standard input is JSON: {"size": [width, height], "rows": [{"name", "samples", "depth"}]}. For each
-row FOLDER gets NAME.npz with `image`, the irradiance by bounces 1 to `depth`, and `seconds`, the
-times of its repetitions: tracing only, warmed up, without loading, compiling and the rays from the
-eye. A line "row NAME" says that it is there; the last line is "versions" and JSON. `vtk-indirect
-compare` runs this, so that the path tracer stands beside the methods.
+Standard input is JSON: {"size": [width, height], "rows": [{"name", "samples", "depth", maybe
+"azimuth"}]}. For each row FOLDER gets NAME.npz with `image`, the irradiance by bounces 1 to `depth`,
+and `seconds`, the times of its repetitions: tracing only, warmed up, without loading, compiling and
+the rays from the eye. A row with an azimuth, in degrees, is of a camera turned by that angle, has noise
+of its own, and is traced once. A line "row NAME" says that it is there; the last line is "versions" and JSON. Rows of one
+azimuth in a row share one process. The comparison runs this script, so that the path tracer stands beside
+the methods.
 """
 
 from __future__ import annotations
 
+import itertools
 import json
 import sys
 from pathlib import Path
+from typing import Any
 
 import exporter
 import tools
@@ -30,26 +34,27 @@ def main() -> int:
         return 2
     path, folder = Path(sys.argv[1]), Path(sys.argv[2])
     wanted = json.load(sys.stdin)
-    batches = [
-        {
+
+    def batch(row: dict[str, Any]) -> dict[str, Any]:
+        turned = ["azimuth", row["azimuth"]] if "azimuth" in row else []
+        return {
             "file": f"{row['name']}.npz",
             "kind": "bounces",
             "samples": row["samples"],
             "depth": row["depth"],
             # Not the seeds of the references, or their noise would look like the truth.
-            "seed": [path.stem, "row", row["samples"], row["depth"]],
-            "repeats": REPEATS,
+            "seed": [path.stem, "row", row["samples"], row["depth"], *turned],
+            "repeats": 1 if turned else REPEATS,
         }
-        for row in wanted["rows"]
-    ]
 
     def done(file: str) -> None:
         print(f"row {Path(file).stem}", flush=True)
 
     try:
-        tools.describe(path).save(folder)
-        job = {"size": wanted["size"], "batches": batches}
-        versions = tools.trace(folder, job, on_batch=done, niceness=0)
+        for azimuth, rows in itertools.groupby(wanted["rows"], lambda row: row.get("azimuth", 0.0)):
+            tools.describe(path, azimuth).save(folder)
+            job = {"size": wanted["size"], "batches": [batch(row) for row in rows]}
+            versions = tools.trace(folder, job, on_batch=done, niceness=0)
     except (tools.ToolError, exporter.ExportError) as error:
         return tools.fail(error)
     print("versions " + json.dumps(versions), flush=True)
