@@ -33,11 +33,14 @@ struct Lobe
     return distance * (std::cos(angle) * this->Axis + std::sin(angle) * this->Side);
   }
 
-  /** Level by the shaders' kernel. */
+  /** Returns the intensity over the squared distance, over the lowest that counts, by the shaders'
+   * kernel. */
   float GetLevel(double distance, double angle) const
   {
-    return vtkiLobeLevel(vec3(-this->GetPlace(distance, angle)), vec3(this->Normal),
-      vec3(this->Axis), this->Exponent, this->Area, this->Flux);
+    const vec3 toSender(-this->GetPlace(distance, angle));
+    return this->Flux * length(toSender) *
+      vtkiSenderLobeStrength(
+        toSender, vec3(this->Normal), vec3(this->Axis), this->Exponent, this->Area);
   }
 
   /** The largest sampled angle at which the lobe counts at this distance; negative: none. Levels

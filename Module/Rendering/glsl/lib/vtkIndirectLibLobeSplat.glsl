@@ -17,15 +17,6 @@ const float VTKI_LOBE_SPLAT_GLOSSY = 3.0e-4f;
  * three. */
 const float VTKI_LOBE_SPLAT_PEAK = 1.17f;
 
-/* The lobe's intensity over the squared distance, as vtkiSenderLobeStrength has both, times its
- * flux over the lowest that counts: the level for vtkiSplatShare. */
-float vtkiLobeLevel(
-  vec3 toSender, vec3 normalS, vec3 direction, float exponent, float area, float flux)
-{
-  return flux * length(toSender) *
-    vtkiSenderLobeStrength(toSender, normalS, direction, exponent, area);
-}
-
 /* exp(x) - 1, x >= 0, precise for small x. */
 float vtkiExponentialRest(float x)
 {
@@ -49,14 +40,14 @@ vec3 vtkiLobeEllipsoid(float exponent, float size)
   return exponent >= 2.0f && widest.x > farthest ? cut : whole;
 }
 
-/* The ellipsoid outside of which vtkiLobeLevel is below one; across is negative if it is below one
- * everywhere. cosine: of the direction on the surface; flux: the lobe's, over the lowest intensity
- * over a squared distance that counts. It has two parts. Beyond the distance a within which the
- * lobe is widened (vtkiLobeReach) the iso-surface is that of Dachsbacher and Stamminger 2006
- * (appendix) for I0 = flux / N. Within a the exponent is 4 d^2 / A, and cos(a)^P' <= exp(-P'
- * sin(a)^2 / 2) = exp(-2 h^2 / A) at a distance h from the axis, for any d: a beam of radius sqrt(A
- * / 2 log(peak)), peak the level along the axis. For a mirror, a ball of radius a would cover the
- * whole scene. */
+/* Returns the ellipsoid outside of which the lobe's intensity over the squared distance is below the
+ * lowest that counts; across is negative if that holds everywhere. cosine is that of the lobe's
+ * direction on the surface; flux is the lobe's, over the lowest intensity over a squared distance
+ * that counts. The ellipsoid has two parts. Beyond the distance a within which the lobe is widened
+ * (vtkiLobeReach) the iso-surface is that of Dachsbacher and Stamminger 2006 (appendix) for I0 =
+ * flux / N. Within a the exponent is 4 d^2 / A, and cos(a)^P' <= exp(-P' sin(a)^2 / 2) = exp(-2 h^2
+ * / A) at a distance h from the axis, for any d: a beam of radius sqrt(A / 2 log(peak)), where peak
+ * is the level along the axis. For a mirror, a ball of radius a would cover the whole scene. */
 vtkiSplat vtkiMakeLobeSplat(
   vec3 position, vec3 direction, float cosine, float exponent, float area, float flux)
 {
