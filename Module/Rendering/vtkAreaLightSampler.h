@@ -55,8 +55,6 @@ public:
    * VARIANCE.
    */
   vtkIndirectClampMacro(Clustering, int, VARIANCE, MIN_MAX);
-  void SetClusteringToVariance() { this->SetClustering(VARIANCE); }
-  void SetClusteringToMinMax() { this->SetClustering(MIN_MAX); }
   ///@}
 
   ///@{

@@ -134,9 +134,6 @@ public:
    * Default PLANES.
    */
   vtkIndirectClampMacro(Upsampling, int, PLANES, BILINEAR);
-  void SetUpsamplingToPlanes() { this->SetUpsampling(PLANES); }
-  void SetUpsamplingToBilateral() { this->SetUpsampling(BILATERAL); }
-  void SetUpsamplingToBilinear() { this->SetUpsampling(BILINEAR); }
   ///@}
 
   enum IndirectLightType
@@ -158,11 +155,6 @@ public:
    * spheres hide. Default SHADOWED.
    */
   vtkIndirectClampMacro(IndirectLight, int, OFF, EXACT);
-  void SetIndirectLightToOff() { this->SetIndirectLight(OFF); }
-  void SetIndirectLightToMiddle() { this->SetIndirectLight(MIDDLE); }
-  void SetIndirectLightToAveraged() { this->SetIndirectLight(AVERAGED); }
-  void SetIndirectLightToShadowed() { this->SetIndirectLight(SHADOWED); }
-  void SetIndirectLightToExact() { this->SetIndirectLight(EXACT); }
   ///@}
 
   /**
