@@ -5,6 +5,7 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
@@ -85,7 +86,7 @@ protected:
   void ReleaseOwn(vtkWindow*) override
   {
     this->TreeIsThere = false;
-    this->Environment = nullptr;
+    this->NeededFor.Clear();
   }
 
 private:
@@ -100,11 +101,9 @@ private:
   vtkMTimeType TreeTime = 0; // time of this pass when the tree was built
   bool TreeIsThere = false;
   vtkIndirectProxyStep StepBySpheres;
-  // Without groups: the reach that an environment needs, and its inputs.
+  // Without groups an environment needs this reach, which was found for these inputs.
   vtkIndirectProxyReach Needed;
-  vtkEnvironmentLight* Environment = nullptr; // compared only
-  vtkMTimeType EnvironmentTime = 0;
-  bool IsOfMiddle = false;
+  vtkIndirectKey NeededFor;
 };
 }
 
@@ -288,14 +287,13 @@ bool ProxySum::FindReach(vtkEnvironmentLight* environment)
   if (!this->Set.GetGroups() && environment && (this->Hides <= 0.0 || this->Sends <= 0.0))
   {
     const bool middle = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::MIDDLE;
-    if (environment != this->Environment || environment->GetMTime() != this->EnvironmentTime ||
-      middle != this->IsOfMiddle)
+    vtkIndirectKey key;
+    key.Add("environment", environment).Add("middle", middle);
+    if (key != this->NeededFor)
     {
       this->Needed =
         vtkIndirectProxyReach::Find(vtkIndirectProxyLight::Project(environment), middle);
-      this->Environment = environment;
-      this->EnvironmentTime = environment->GetMTime();
-      this->IsOfMiddle = middle;
+      this->NeededFor = key;
     }
     this->Hides = this->Hides > 0.0 ? this->Hides : this->Needed.Hides;
     this->Sends = this->Sends > 0.0 ? this->Sends : this->Needed.Sends;

@@ -5,12 +5,12 @@
 // Points stay in place on the rectangle while its image changes, and so do their maps.
 #pragma once
 
+#include "Frame/vtkIndirectKey.h"               // for members
 #include "Gather/vtkIndirectAreaPyramid.h"      // for members
 #include "OpenGL/vtkIndirectResource.h"         // for the base class
 #include "OpenGL/vtkIndirectTarget.h"           // for a member
 #include "VirtualLights/vtkIndirectRectangle.h" // for places
 #include "vtkSmartPointer.h"                    // for lights
-#include "vtkType.h"                            // for times
 
 #include <glm/glm.hpp> // for places
 #include <memory>      // for lamps
@@ -39,9 +39,8 @@ public:
   };
   struct Lamp : vtkIndirectRectangle // in scene units
   {
-    vtkAreaLight* Light = nullptr; // to be compared only
-    vtkMTimeType Time = 0;         // time of the light for which the other members were made
-    glm::dvec3 Radiance{ 0.0 };    // mean radiance
+    vtkIndirectKey Light;       // the light that the other members were made for
+    glm::dvec3 Radiance{ 0.0 }; // mean radiance
     vtkIndirectAreaPyramid Pyramid;
     int Row = -1; // first row of the image in the texture; -1 for a lamp of one radiance
     bool TextureIsStale = true;

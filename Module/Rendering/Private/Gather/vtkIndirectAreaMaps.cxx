@@ -55,13 +55,11 @@ void vtkIndirectAreaMaps::Update(
   {
     const vtkIndirectAreaLamps::Lamp& lamp = *lamps.Get()[i];
     Made& made = this->Lamps[i];
-    const bool sameLamp = sameRound && made.Light == lamp.Light && made.Time == lamp.Time &&
-      made.Corner == lamp.Corner &&
+    const bool sameLamp = sameRound && made.Light == lamp.Light && made.Corner == lamp.Corner &&
       made.Points.size() == static_cast<size_t>(lamps.GetNumberOfPoints());
     if (!sameLamp)
     {
       made.Light = lamp.Light;
-      made.Time = lamp.Time;
       made.Corner = lamp.Corner;
       made.Points = lamps.MakePoints(lamp, round);
     }

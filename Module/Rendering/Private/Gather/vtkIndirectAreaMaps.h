@@ -60,8 +60,7 @@ private:
   // The data made from a lamp, and their inputs.
   struct Made
   {
-    const void* Light = nullptr; // to be compared only
-    vtkMTimeType Time = 0;
+    vtkIndirectKey Light;
     glm::dvec3 Corner{ 0.0 };
     std::vector<vtkIndirectAreaLamps::Point> Points;
     vtkIndirectCasterWindow Window;

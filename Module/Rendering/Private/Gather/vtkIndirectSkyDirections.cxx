@@ -14,13 +14,7 @@
 
 namespace
 {
-// A direction with more than this share of all light is strong, because its shadow is visible by
-// itself: eight grey levels of 256 if it is hidden from a surface that faces it. At most 32
-// directions have so much light.
-constexpr double StrongShare = 1.0 / 32.0;
-// Strong directions are found among at least this many: each of fewer directions may have such a
-// share.
-constexpr int LeastLattice = 256;
+constexpr int LeastLattice = vtkIndirectSkyProjection::FineDirections;
 // Pieces of the sky along an edge of the octahedron's square, two degrees across. A piece that a
 // receiver's horizon cuts counts by the visibility of its middle: an open plane gets less from a
 // uniform sky by a third of the square of the piece's half width, 0.0003.
@@ -36,8 +30,9 @@ double Sum(const glm::dvec3& light)
 bool vtkIndirectSkyDirections::Update(
   vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still)
 {
-  const vtkMTimeType time = environment->GetMTime();
-  const bool other = environment != this->Environment || time != this->Time ||
+  vtkIndirectKey key;
+  key.Add("environment", environment);
+  const bool other = key != this->Environment ||
     std::max(still, LeastLattice) != std::max(this->Still, LeastLattice);
   if (!other && count == this->Count && still == this->Still)
   {
@@ -49,25 +44,10 @@ bool vtkIndirectSkyDirections::Update(
     this->FindLight(projection, environment);
   }
   this->FindOthers(count);
-  this->Environment = environment;
-  this->Time = time;
+  this->Environment = key;
   this->Count = count;
   this->Still = still;
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectSkyDirections::HasStrong(vtkEnvironmentLight* environment)
-{
-  vtkIndirectSkyProjection projection;
-  double total = 0.0;
-  double most = 0.0;
-  for (const glm::dvec3& light : projection.Find(environment, LeastLattice).Light)
-  {
-    total += Sum(light);
-    most = std::max(most, Sum(light));
-  }
-  return most > StrongShare * total;
 }
 
 //------------------------------------------------------------------------------
@@ -82,11 +62,6 @@ void vtkIndirectSkyDirections::FindLight(
   this->Lattice = sky.Directions;
   const std::vector<size_t>& nearest = sky.Nearest;
   const std::vector<glm::dvec3>& light = sky.Light;
-  double total = 0.0;
-  for (const glm::dvec3& l : light)
-  {
-    total += Sum(l);
-  }
   this->Strong.clear();
   this->Known.clear();
   this->Sharing.clear();
@@ -95,7 +70,7 @@ void vtkIndirectSkyDirections::FindLight(
   std::vector<Summand>& others = this->Known[static_cast<int>(light.size())];
   for (size_t i = 0; i < light.size(); ++i)
   {
-    if (Sum(light[i]) > StrongShare * total)
+    if (sky.IsStrong(i))
     {
       this->Strong.push_back({ i, light[i], sky.Middles[i] });
     }
@@ -109,7 +84,7 @@ void vtkIndirectSkyDirections::FindLight(
   for (size_t i = 0; i < cells.size(); ++i)
   {
     const double sent = Sum(glm::make_vec3(cells[i].Light));
-    if (Sum(light[nearest[i]]) > StrongShare * total)
+    if (sky.IsStrong(nearest[i]))
     {
       continue;
     }

@@ -5,7 +5,7 @@
 // with much of all light, such as a sun's, is summed by itself, in the same way in both frames.
 #pragma once
 
-#include "vtkType.h" // for times
+#include "Frame/vtkIndirectKey.h" // for a member
 
 #include <glm/glm.hpp> // for directions
 #include <map>         // for kept results
@@ -39,8 +39,6 @@ public:
 
   /** Returns the unit direction to the light. */
   const glm::dvec3& GetDirection(size_t number) const { return this->Lattice[number]; }
-  /** Returns true if one of 256 directions has more than a 32nd of an environment's light. */
-  static bool HasStrong(vtkEnvironmentLight* environment);
   /** Returns the directions that have more than a 32nd of all light. */
   const std::vector<Summand>& GetStrong() const { return this->Strong; }
   /** Returns the other directions with light, without the light of the strong ones. */
@@ -69,7 +67,7 @@ public:
   double GetUnit() const { return this->Unit; }
 
   /** Makes the next Update find everything again. */
-  void Forget() { this->Environment = nullptr; }
+  void Forget() { this->Environment.Clear(); }
 
 private:
   void FindLight(vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
@@ -94,8 +92,7 @@ private:
   std::vector<float> OpenTexels; // made from Flux on the first request
   double Unit = 1.0;
 
-  vtkEnvironmentLight* Environment = nullptr; // last environment, and its time
-  vtkMTimeType Time = 0;
+  vtkIndirectKey Environment; // the last environment
   int Count = 0;
   int Still = 0;
 };

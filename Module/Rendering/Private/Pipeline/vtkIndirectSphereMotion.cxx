@@ -4,7 +4,6 @@
 #include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectInformationKeys.h"
-#include "Gather/vtkIndirectSkyDirections.h"
 #include "Proxies/vtkIndirectProxyLight.h"
 #include "vtkActor.h"
 #include "vtkDataObject.h"
@@ -58,8 +57,9 @@ void vtkIndirectSphereMotion::Update(
     this->What =
       std::to_string(static_cast<long long>(moved)) + " spheres have moved in frames on end";
   }
-  this->WhyNot = this->HasSun(environment) ? "the environment has a sun, whose shadows they blur"
-                                           : this->FindWhyNot(frame, splats);
+  this->WhyNot = this->Sky.Find(environment, vtkIndirectSkyProjection::FineDirections).HasStrong()
+    ? "the environment has a sun, whose shadows they blur"
+    : this->FindWhyNot(frame, splats);
   this->Moved = this->WhyNot.empty();
 }
 
@@ -133,18 +133,6 @@ std::string vtkIndirectSphereMotion::FindWhyNot(const vtkIndirectFrame& frame, d
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSphereMotion::HasSun(vtkEnvironmentLight* environment)
-{
-  if (environment != this->Environment || environment->GetMTime() != this->EnvironmentTime)
-  {
-    this->Environment = environment;
-    this->EnvironmentTime = environment->GetMTime();
-    this->Sun = vtkIndirectSkyDirections::HasStrong(environment);
-  }
-  return this->Sun;
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSphereMotion::Forget()
 {
   this->Props.clear();
@@ -152,5 +140,4 @@ void vtkIndirectSphereMotion::Forget()
   this->Moved = false;
   this->What.clear();
   this->WhyNot.clear();
-  this->Environment = nullptr;
 }

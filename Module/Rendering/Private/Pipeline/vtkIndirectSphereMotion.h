@@ -12,8 +12,8 @@
 // motion, still ones too, so that their shadows do not come and go.
 #pragma once
 
-#include "Proxies/vtkIndirectProxyKinds.h" // for a member
-#include "vtkType.h"                       // for times
+#include "Proxies/vtkIndirectProxyKinds.h"          // for a member
+#include "VirtualLights/vtkIndirectSkyProjection.h" // for a member
 
 #include <string>        // for reasons
 #include <unordered_map> // for props of the last frame
@@ -44,7 +44,6 @@ private:
   static double CountSplats(const vtkIndirectFrame& frame);
   double FindMovedSpheres(const vtkIndirectFrame& frame);
   std::string FindWhyNot(const vtkIndirectFrame& frame, double spheres);
-  bool HasSun(vtkEnvironmentLight* environment);
 
   struct Before
   {
@@ -59,8 +58,5 @@ private:
   bool Moved = false;
   std::string What;
   std::string WhyNot;
-
-  vtkEnvironmentLight* Environment = nullptr; // environment of Sun, and its time
-  vtkMTimeType EnvironmentTime = 0;
-  bool Sun = false;
+  vtkIndirectSkyProjection Sky; // tells whether the environment has a sun
 };

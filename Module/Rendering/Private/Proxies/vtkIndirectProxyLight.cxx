@@ -140,8 +140,9 @@ void vtkIndirectProxyLight::AddPolygons(std::vector<glm::vec4>& rows,
 bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
   const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace, bool changed)
 {
-  const vtkMTimeType time = environment ? environment->GetMTime() : 0;
-  const bool same = environment == this->Environment && time == this->Time;
+  vtkIndirectKey key;
+  key.Add("environment", environment);
+  const bool same = key == this->Environment;
   if (same && !changed && this->Block.GetBytes() > 0)
   {
     return false;
@@ -153,8 +154,7 @@ bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironment
     {
       this->Light = Project(environment);
     }
-    this->Environment = environment;
-    this->Time = time;
+    this->Environment = key;
   }
   std::vector<glm::vec4> rows;
   for (int color = 0; color < 3; ++color)

@@ -3,11 +3,10 @@
 // with the light and the flat polygons.
 #pragma once
 
+#include "Frame/vtkIndirectKey.h"           // for a member
 #include "OpenGL/vtkIndirectResource.h"     // for the base class
 #include "OpenGL/vtkIndirectUniformBlock.h" // for a member
 #include "Proxies/vtkIndirectProxySphere.h" // for polygons
-
-#include "vtkType.h" // for times
 
 #include <array> // for coefficients
 
@@ -50,7 +49,7 @@ public:
   void Activate(const vtkIndirectProgram& program) const;
 
 protected:
-  void ReleaseOwn(vtkWindow*) override { this->Environment = nullptr; }
+  void ReleaseOwn(vtkWindow*) override { this->Environment.Clear(); }
 
 private:
   void AddPolygons(std::vector<glm::vec4>& rows,
@@ -58,7 +57,6 @@ private:
 
   vtkIndirectUniformBlock Block{ this, "vtkiProxyBlock" };
   Coefficients Light;
-  vtkEnvironmentLight* Environment = nullptr; // compared only
-  vtkMTimeType Time = 0;
+  vtkIndirectKey Environment;
   int NumberOfPolygons = 0;
 };

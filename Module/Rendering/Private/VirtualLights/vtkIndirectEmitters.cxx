@@ -19,10 +19,6 @@ namespace
 constexpr int FirstPiece = 1024;
 constexpr int MostPiecesPerEdge = 4;
 
-// Number of directions that may become groups of their own. vtkIndirectSkyGather sums over as many,
-// so that the light of a sun is reflected at the place where it falls.
-constexpr int NumberOfFineDirections = 256;
-
 double AddChannels(const glm::dvec3& light)
 {
   return light.x + light.y + light.z;
@@ -194,9 +190,8 @@ void vtkIndirectEmitters::AddSky(
   List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment)
 {
   const vtkIndirectSkyProjection::Result& sky =
-    projection.Find(environment, NumberOfFineDirections);
+    projection.Find(environment, vtkIndirectSkyProjection::FineDirections);
   const std::vector<glm::dvec3>& fine = sky.Directions;
-  const std::vector<glm::dvec3>& light = sky.Light;
   const std::vector<glm::dvec3> coarse = vtkIndirectDirections::MakeLattice(NumberOfSkyGroups);
   List all;
   auto add = [&all](int number, const glm::dvec3& direction, const glm::dvec3& strength)
@@ -212,15 +207,10 @@ void vtkIndirectEmitters::AddSky(
   {
     add(static_cast<int>(all.size()), direction, glm::dvec3(0.0));
   }
-  double total = 0.0;
-  for (const glm::dvec3& l : light)
-  {
-    total += AddChannels(l);
-  }
   for (size_t i = 0; i < fine.size(); ++i)
   {
-    const glm::dvec3 strength = light[i] / vtkMath::Pi();
-    if (AddChannels(light[i]) * NumberOfSkyGroups > total)
+    const glm::dvec3 strength = sky.Light[i] / vtkMath::Pi();
+    if (sky.IsStrong(i))
     {
       add(NumberOfSkyGroups + static_cast<int>(i), sky.Middles[i], strength);
     }

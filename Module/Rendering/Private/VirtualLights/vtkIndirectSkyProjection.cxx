@@ -4,28 +4,56 @@
 #include "VirtualLights/vtkIndirectDirections.h"
 #include "vtkEnvironmentLight.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 namespace
 {
 // A direction represents about a circle of its share of the sphere. The mean of a uniform sky's
 // directions over this circle has the length 1 - 1/count. Light is narrow if its spread is half of
 // that or less: for 256 directions, a circle of 5 degrees.
 constexpr double NarrowShare = 0.5;
+// A direction with more than this share of all light is strong, because its shadow is visible by
+// itself: eight grey levels of 256 if it is hidden from a surface that faces it. At most 32
+// directions have so much light.
+constexpr double StrongShare = 1.0 / 32.0;
+
+double SumOfColors(const glm::dvec3& light)
+{
+  return light.x + light.y + light.z;
+}
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyProjection::Result::IsStrong(size_t direction) const
+{
+  return SumOfColors(this->Light[direction]) > StrongShare * this->Total;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyProjection::Result::HasStrong() const
+{
+  bool strong = false;
+  for (size_t i = 0; i < this->Light.size(); ++i)
+  {
+    strong = strong || this->IsStrong(i);
+  }
+  return strong;
 }
 
 //------------------------------------------------------------------------------
 const vtkIndirectSkyProjection::Result& vtkIndirectSkyProjection::Find(
   vtkEnvironmentLight* environment, int count)
 {
-  const vtkMTimeType time = environment->GetMTime();
-  if (environment != this->Environment || time != this->Time)
+  vtkIndirectKey key;
+  key.Add("environment", environment);
+  if (key != this->Environment)
   {
     for (auto& known : this->Results)
     {
       known.second.Nearest.clear();
       known.second.Light.clear();
     }
-    this->Environment = environment;
-    this->Time = time;
+    this->Environment = key;
   }
   Result& result = this->Results[count];
   if (!result.Light.empty())
@@ -43,18 +71,20 @@ const vtkIndirectSkyProjection::Result& vtkIndirectSkyProjection::Find(
   std::vector<glm::dvec3> means(result.Directions.size(), glm::dvec3(0.0));
   for (size_t i = 0; i < cells.size(); ++i)
   {
-    const double* const sent = cells[i].Light;
-    const double* const from = cells[i].Direction;
-    result.Light[result.Nearest[i]] += glm::dvec3(sent[0], sent[1], sent[2]);
-    means[result.Nearest[i]] +=
-      (sent[0] + sent[1] + sent[2]) * glm::dvec3(from[0], from[1], from[2]);
+    const glm::dvec3 sent = glm::make_vec3(cells[i].Light);
+    result.Light[result.Nearest[i]] += sent;
+    means[result.Nearest[i]] += SumOfColors(sent) * glm::make_vec3(cells[i].Direction);
+  }
+  result.Total = 0.0;
+  for (const glm::dvec3& light : result.Light)
+  {
+    result.Total += SumOfColors(light);
   }
   result.Middles = result.Directions;
   for (size_t i = 0; i < means.size(); ++i)
   {
     const double length = glm::length(means[i]);
-    const glm::dvec3& light = result.Light[i];
-    if (length > (1.0 - NarrowShare / count) * (light.x + light.y + light.z))
+    if (length > (1.0 - NarrowShare / count) * SumOfColors(result.Light[i]))
     {
       result.Middles[i] = means[i] / length;
     }

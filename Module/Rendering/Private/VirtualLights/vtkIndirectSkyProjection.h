@@ -3,7 +3,7 @@
 // change and shared by all stages that sum it.
 #pragma once
 
-#include "vtkType.h" // for times
+#include "Frame/vtkIndirectKey.h" // for a member
 
 #include <glm/glm.hpp> // for directions
 #include <map>         // for kept results
@@ -25,7 +25,18 @@ public:
      * otherwise the lattice's direction itself, so that a turning sky changes weights alone.
      */
     std::vector<glm::dvec3> Middles;
+    double Total = 0.0; // light of all directions, summed over the colours
+
+    /** Returns true if a direction has more than a 32nd of all light. */
+    bool IsStrong(size_t direction) const;
+    bool HasStrong() const;
   };
+
+  /**
+   * At least this many directions tell which light is strong: each of fewer directions may have
+   * such a share.
+   */
+  static constexpr int FineDirections = 256;
 
   /**
    * Returns the environment's light by this many directions; it is kept while the environment is
@@ -35,6 +46,5 @@ public:
 
 private:
   std::map<int, Result> Results; // by the number of directions
-  vtkEnvironmentLight* Environment = nullptr;
-  vtkMTimeType Time = 0;
+  vtkIndirectKey Environment;
 };
