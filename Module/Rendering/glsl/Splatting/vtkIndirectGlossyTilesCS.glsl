@@ -8,20 +8,13 @@ uniform sampler2D vtkiSpecular;
 
 #include "vtkIndirectGlossyWeight.glsl"
 #include "vtkIndirectSplatLobe.glsl"
+#include "vtkIndirectSplatTile.glsl"
 #include "vtkIndirectTileBox.glsl"
-
-layout(local_size_x = 16, local_size_y = 16) in;
-layout(rgba32f, binding = 0) uniform image2D vtkiSum;
-uniform bool vtkiAdds; // adds to the sum of earlier lights
 
 shared uint vtkiLowestMirror[3];
 shared uint vtkiHighestMirror[3];
 shared uint vtkiLeastPower;
 shared uint vtkiLeastCosine; // least cosine of the mirror directions to their middle
-shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
-#ifdef VTKI_SPLAT_LOBES
-shared uint vtkiListedLobes[VTKI_ROW_LENGTH / 32];
-#endif
 
 // True if any of the tile's receivers may see a light, or its branches if they are near to it.
 bool vtkiTileSeesLight(
@@ -130,14 +123,7 @@ void main()
   vec3 total = vec3(0.0f);
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y && any; ++row)
   {
-    if (number < VTKI_ROW_LENGTH / 32)
-    {
-      vtkiListed[number] = 0u;
-#ifdef VTKI_SPLAT_LOBES
-      vtkiListedLobes[number] = 0u;
-#endif
-    }
-    barrier();
+    vtkiClearLists(number);
     int light = row * VTKI_ROW_LENGTH + number;
     vec4 sender;
     vec4 senderNormal;
@@ -186,11 +172,6 @@ void main()
   }
   if (inside)
   {
-    vec4 before = vec4(0.0f, 0.0f, 0.0f, 1.0f);
-    if (vtkiAdds)
-    {
-      before = imageLoad(vtkiSum, pixel);
-    }
-    imageStore(vtkiSum, pixel, before + vec4(wanted ? total : vec3(0.0f), 0.0f));
+    vtkiStoreSum(pixel, vec4(0.0f, 0.0f, 0.0f, 1.0f), vec4(wanted ? total : vec3(0.0f), 0.0f));
   }
 }

@@ -5,16 +5,8 @@
 #include "vtkIndirectReceiver.glsl"
 #include "vtkIndirectSplatLobe.glsl"
 #include "vtkIndirectSplatBounds.glsl"
+#include "vtkIndirectSplatTile.glsl"
 #include "vtkIndirectTileBox.glsl"
-
-layout(local_size_x = 16, local_size_y = 16) in;
-layout(rgba32f, binding = 0) uniform image2D vtkiSum;
-uniform bool vtkiAdds; // adds to the sum of earlier lights
-
-shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
-#ifdef VTKI_SPLAT_LOBES
-shared uint vtkiListedLobes[VTKI_ROW_LENGTH / 32];
-#endif
 
 #ifdef VTKI_DIVIDED
 const int vtkiAtOnce = VTKI_NEAR_LIGHTS;
@@ -81,14 +73,7 @@ void main()
 #endif
   for (int row = vtkiLightRows.x; row < vtkiLightRows.y && any; ++row)
   {
-    if (number < VTKI_ROW_LENGTH / 32)
-    {
-      vtkiListed[number] = 0u;
-#ifdef VTKI_SPLAT_LOBES
-      vtkiListedLobes[number] = 0u;
-#endif
-    }
-    barrier();
+    vtkiClearLists(number);
     int light = row * VTKI_ROW_LENGTH + number;
     if (light < vtkiLightCount && vtkiSplatMeetsBox(vtkiFetchSplat(light), middle, halfSize))
     {
@@ -127,11 +112,6 @@ void main()
   }
   if (inside)
   {
-    vec4 before = vec4(0.0f);
-    if (vtkiAdds)
-    {
-      before = imageLoad(vtkiSum, pixel);
-    }
-    imageStore(vtkiSum, pixel, before + (lit ? total : vec4(0.0f)));
+    vtkiStoreSum(pixel, vec4(0.0f), lit ? total : vec4(0.0f));
   }
 }
