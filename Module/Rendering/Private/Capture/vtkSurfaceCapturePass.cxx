@@ -9,6 +9,7 @@
 #include "Capture/vtkIndirectLightConstants.h"
 #include "Capture/vtkIndirectPixelRays.h"
 #include "Capture/vtkIndirectShadowMaps.h"
+#include "Capture/vtkIndirectWithin.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "vtkAbstractMapper.h"
@@ -16,10 +17,7 @@
 #include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
-#include "vtkMatrix3x3.h"
-#include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -34,11 +32,9 @@
 #include "vtkTextureUnitManager.h"
 #include "vtkWeakPointer.h"
 
-#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_map>
 #include <vector>
 
@@ -154,45 +150,7 @@ struct vtkSurfaceCapturePass::Internals
   vtkCamera* Camera = nullptr;
   vtkRenderer* Renderer = nullptr;
   glm::dvec3 SceneCenter{ 0.0 };
-
-  void SetWithin(vtkShaderProgram* program, vtkProp* prop) const;
 };
-
-//------------------------------------------------------------------------------
-// Sets the uniforms of CountFromWithin in vtkIndirectCaptureText.cxx: positions relative to the
-// scene's centre, in the data's own coordinates and rounding.
-void vtkSurfaceCapturePass::Internals::SetWithin(vtkShaderProgram* program, vtkProp* prop) const
-{
-  auto* actor = vtkActor::SafeDownCast(prop);
-  auto* camera = vtkOpenGLCamera::SafeDownCast(this->Renderer->GetActiveCamera());
-  if (!actor || !camera || !program->IsUniformUsed("vtkiWithin"))
-  {
-    return;
-  }
-  const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(actor->GetMatrix());
-  glm::vec3 within(glm::inverse(toWorld) * glm::dvec4(this->SceneCenter, 1.0));
-  if (!std::isfinite(within.x + within.y + within.z))
-  {
-    within = glm::vec3(0.0f);
-  }
-  vtkMatrix4x4* toView;
-  vtkMatrix3x3* normals;
-  vtkMatrix4x4* projection;
-  vtkMatrix4x4* toClip;
-  camera->GetKeyMatrices(this->Renderer, toView, normals, projection, toClip); // transposed
-  const glm::dmat4 fromWithin = glm::translate(toWorld, glm::dvec3(within));
-  const auto set = [&](const char* name, vtkMatrix4x4* matrix)
-  {
-    if (program->IsUniformUsed(name))
-    {
-      const glm::mat4 product(glm::transpose(vtkIndirectFrame::ToGLM(matrix)) * fromWithin);
-      program->SetUniformMatrix4x4(name, const_cast<float*>(glm::value_ptr(product)));
-    }
-  };
-  program->SetUniform3f("vtkiWithin", glm::value_ptr(within));
-  set("vtkiWithinToView", toView);
-  set("vtkiWithinToClip", toClip);
-}
 
 namespace
 {
@@ -513,7 +471,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
   in.PixelRays.SetUniforms(program);
-  in.SetWithin(program, prop);
+  vtkIndirectWithin::SetUniforms(program, prop, in.Renderer, in.SceneCenter);
   if (program->IsUniformUsed("vtkiMagnitude"))
   {
     program->SetUniformf("vtkiMagnitude", in.Magnitude);
