@@ -216,6 +216,29 @@ VTK_INDIRECT_TEST(PlanAreaLights)
   CheckEqual("they are seen all the same", plan.VisibleAreaLights, 2);
 }
 
+// Area lights are virtual lights where their Method says so, or is automatic with a paper's preset.
+VTK_INDIRECT_TEST(PlanVirtualAreaLights)
+{
+  const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  vtkIndirectCircumstances circumstances;
+  circumstances.AreaLights = true;
+  circumstances.AutomaticAreaLights = true;
+  vtkIndirectAbilities estimator;
+  auto make = [&]() { return vtkIndirectPlan::Make(frame, {}, estimator, circumstances); };
+  Check("automatic", make().AreaLights && !make().VirtualAreaLights);
+  circumstances.VirtualAreaLights = true;
+  Check("some of them", make().AreaLights && make().VirtualAreaLights);
+  Check("but no automatic ones", !make().AutomaticAreaLightsAreVirtual);
+  estimator.IsOfPaper = true;
+  Check("all of a paper's",
+    !make().AreaLights && make().VirtualAreaLights && make().AutomaticAreaLightsAreVirtual);
+  circumstances.ClosedAreaLights = true;
+  Check("but those of closed form", make().AreaLights && make().VirtualAreaLights);
+  estimator.ReadsMaps = true;
+  Check("none beside maps that are read", make().AreaLights && !make().VirtualAreaLights);
+  Check("as the report says", !Find(make().LeftOut, "area lights as virtual lights").empty());
+}
+
 // The estimator resolves automatic visibility, and the user's choice has priority.
 VTK_INDIRECT_TEST(PlanVisibility)
 {
@@ -231,6 +254,10 @@ VTK_INDIRECT_TEST(PlanVisibility)
     estimator.AutomaticVisibility = choice;
     CheckEqual("of an estimator that chooses", visibility(), choice);
   }
+  estimator.IsOfPaper = true;
+  CheckEqual("of a paper's preset", visibility(), vtkIndirectVisibilityNone);
+  estimator.Occupancy = true;
+  CheckEqual("of a paper's preset with Occupancy", visibility(), vtkIndirectVisibilityVoxels);
   settings.Visibility = vtkIndirectVisibilityNone;
   CheckEqual("where the user wants none", visibility(), vtkIndirectVisibilityNone);
   settings.Visibility = vtkIndirectVisibilityMaps;

@@ -225,9 +225,11 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
 void vtkIndirectPlan::FindVisibility(
   const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
 {
-  this->Visibility = settings.Visibility == vtkIndirectVisibilityAutomatic
-    ? estimator.AutomaticVisibility
-    : settings.Visibility;
+  const int automatic = estimator.Occupancy ? vtkIndirectVisibilityVoxels
+    : estimator.IsOfPaper                   ? vtkIndirectVisibilityNone
+                                            : estimator.AutomaticVisibility;
+  this->Visibility =
+    settings.Visibility == vtkIndirectVisibilityAutomatic ? automatic : settings.Visibility;
   if (this->Visibility == vtkIndirectVisibilityMaps && !estimator.TakesLightMaps)
   {
     this->Visibility = vtkIndirectVisibilityVoxels;
@@ -354,10 +356,16 @@ void vtkIndirectPlan::FindOtherLights(const vtkIndirectFrame& frame,
   {
     return;
   }
-  this->VirtualAreaLights = takes && circumstances.VirtualAreaLights;
+  // Estimators of the paper that read the lights' maps take no other lights.
+  const bool automatic = estimator.IsOfPaper && !estimator.ReadsMaps && !estimator.SumsSky;
+  const bool asked =
+    circumstances.VirtualAreaLights || (automatic && circumstances.AutomaticAreaLights);
+  this->VirtualAreaLights = takes && asked;
+  this->AutomaticAreaLightsAreVirtual = this->VirtualAreaLights && automatic;
   this->MinMaxAreaLights = this->VirtualAreaLights && estimator.IsOfPaper;
-  this->AreaLights = circumstances.ClosedAreaLights || !this->VirtualAreaLights;
-  if (circumstances.VirtualAreaLights)
+  this->AreaLights = !this->VirtualAreaLights || circumstances.ClosedAreaLights ||
+    (!automatic && circumstances.AutomaticAreaLights);
+  if (asked)
   {
     (takes ? this->Modelled : this->LeftOut)
       .emplace_back("area lights as virtual lights",

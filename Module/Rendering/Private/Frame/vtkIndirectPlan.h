@@ -24,8 +24,10 @@ struct vtkIndirectAbilities
   bool TakesSampler = false; // sums lights of the frame's sampler, not of its own sampler
   bool SpecularTransport = true;
   bool TakesLightMaps = false; // can look visibility up in a map of each virtual light
-  int AutomaticVisibility = vtkIndirectVisibilityNone; // where the user lets the estimator choose
-  /** The preset PAPER: automatic bounces are one. */
+  /** Visibility AUTO means this one, unless Occupancy or the preset PAPER says otherwise. */
+  int AutomaticVisibility = vtkIndirectVisibilityNone;
+  bool Occupancy = false; // Visibility AUTO means voxels
+  /** The preset PAPER: automatic bounces are one, and automatic visibility is none. */
   bool IsOfPaper = false;
   /** Sums the texels of lights' maps, if there are maps, and no virtual lights beside them. */
   bool ReadsMaps = false;
@@ -48,8 +50,12 @@ struct vtkIndirectCircumstances
   bool SamplerWalks = false;
   bool OtherSamplerWalks = false; // an additional sampler finds lights by rays
   bool AreaLights = false;        // there are rectangular lights
-  bool VirtualAreaLights = false; // some of them are asked for as virtual lights
-  bool ClosedAreaLights = false;  // some of them are not
+  ///@{
+  /** True if some of them, that shine, have this Method. */
+  bool AutomaticAreaLights = false;
+  bool ClosedAreaLights = false;
+  bool VirtualAreaLights = false;
+  ///@}
   /** VTK irradiance of a surface in the middle of the scene that faces all area lights. */
   double AreaLightIrradiance = 0.0;
   int VisibleAreaLights = 0; // number of area lights that are visible themselves
@@ -142,11 +148,12 @@ struct vtkIndirectPlan
   bool OtherSamplers = false;     // passes add virtual lights of their own samplers
   bool AreaLights = false;        // light comes directly from rectangles, in closed form
   bool VirtualAreaLights = false; // pieces of rectangles are virtual lights
-  bool MinMaxAreaLights = false;  // these pieces are the paper's
-  bool AreaIsShadowed = true;     // light from rectangles may be hidden
-  bool AreaLightsBounce = false;  // surfaces reflect the light of rectangles
-  bool AreaSpecular = false;      // receivers reflect rectangles specularly, too
-  int VisibleAreaLights = 0;      // number of area lights that are drawn
+  bool AutomaticAreaLightsAreVirtual = false; // so are rectangles whose Method is AUTOMATIC
+  bool MinMaxAreaLights = false;              // these pieces are the paper's
+  bool AreaIsShadowed = true;                 // light from rectangles may be hidden
+  bool AreaLightsBounce = false;              // surfaces reflect the light of rectangles
+  bool AreaSpecular = false;                  // receivers reflect rectangles specularly, too
+  int VisibleAreaLights = 0;                  // number of area lights that are drawn
   ///@{
   /**
    * Returns true if a further frame is awaited, as while a camera turns: at a rate of a picture a

@@ -107,6 +107,7 @@ vtkIndirectAbilities vtkIndirectSum::GetAbilities(double) const
   abilities.Name = this->Pass.GetClassName();
   abilities.TakesSampler = true;
   abilities.SpecularTransport = this->Pass.GetSpecularTransport();
+  abilities.Occupancy = this->Pass.GetOccupancy();
   abilities.IsOfPaper = this->Pass.GetPreset() == vtkIndirectEstimatorPass::PAPER;
   return abilities;
 }

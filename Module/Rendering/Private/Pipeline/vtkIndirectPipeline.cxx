@@ -74,6 +74,14 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   { return vtkIndirectEmitters::FindIrradiance(lights, glm::value_ptr(this->Frame.SceneCenter)); };
   circumstances.AreaLightIrradiance = findIrradiance(this->UsableAreaLights);
   circumstances.AreaLights = circumstances.AreaLightIrradiance > 0.0;
+  for (const auto& light : this->UsableAreaLights)
+  {
+    const int method = light->GetMethod();
+    bool& shines = method == vtkAreaLight::AUTOMATIC ? circumstances.AutomaticAreaLights
+      : method == vtkAreaLight::CLOSED_FORM          ? circumstances.ClosedAreaLights
+                                                     : circumstances.VirtualAreaLights;
+    shines = shines || findIrradiance({ light }) > 0.0;
+  }
   circumstances.VisibleAreaLights = vtkIndirectVisibleLamps::Count(this->UsableAreaLights);
   this->Environment =
     request.Environment ? request.Environment : this->ImageLight.Find(this->Frame.Renderer);
@@ -90,37 +98,21 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     this->SphereMotion.Forget();
   }
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
-  vtkIndirectAbilities abilities =
+  const vtkIndirectAbilities abilities =
     vtkIndirectSum::Get(request.Estimator).GetAbilities(request.Settings.ErrorTolerance);
-  if (request.Estimator->GetOccupancy())
-  {
-    abilities.AutomaticVisibility = vtkIndirectVisibilityVoxels;
-  }
-  else if (abilities.IsOfPaper)
-  {
-    abilities.AutomaticVisibility = vtkIndirectVisibilityNone;
-  }
-  // Estimators of the paper that read the lights' maps take no other lights.
-  const bool virtualOfPaper = abilities.IsOfPaper && !abilities.ReadsMaps && !abilities.SumsSky;
+  circumstances.SamplerWalks =
+    abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
+  circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
+  this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
   std::vector<vtkSmartPointer<vtkAreaLight>> virtualAreaLights;
   this->ClosedAreaLights.clear();
   for (const auto& light : this->UsableAreaLights)
   {
     const int method = light->GetMethod();
-    const bool isVirtual = method == vtkAreaLight::VIRTUAL_LIGHTS ||
-      (method == vtkAreaLight::AUTOMATIC && virtualOfPaper);
+    const bool isVirtual =
+      (this->Plan.VirtualAreaLights && method == vtkAreaLight::VIRTUAL_LIGHTS) ||
+      (this->Plan.AutomaticAreaLightsAreVirtual && method == vtkAreaLight::AUTOMATIC);
     (isVirtual ? virtualAreaLights : this->ClosedAreaLights).push_back(light);
-  }
-  circumstances.VirtualAreaLights = findIrradiance(virtualAreaLights) > 0.0;
-  circumstances.ClosedAreaLights = findIrradiance(this->ClosedAreaLights) > 0.0;
-  circumstances.SamplerWalks =
-    abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
-  circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
-  this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
-  if (!this->Plan.VirtualAreaLights)
-  {
-    virtualAreaLights.clear();
-    this->ClosedAreaLights = this->UsableAreaLights;
   }
   this->Samplers.Area->SetLights(virtualAreaLights);
   // Old maps are released: they would show outdated shadows when the sky comes from maps again.
