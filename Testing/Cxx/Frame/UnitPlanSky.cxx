@@ -155,6 +155,8 @@ VTK_INDIRECT_TEST(PlanSkyDirections)
         name + ": directions", plan.NumberOfSkyDirections, moving ? one.Moving : one.Still);
       CheckEqual(name + ": of a still frame", plan.NumberOfStillSkyDirections, one.Still);
       CheckEqual(name + ": block", plan.SkyBlock, moving ? one.Block : 1);
+      const double aim = one.Tolerance > 0.0 ? one.Tolerance : 0.035;
+      CheckEqual(name + ": in force", plan.SkyErrorTolerance, aim);
     }
   }
 }

@@ -27,9 +27,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
 {
   vtkIndirectPlan plan;
   plan.Caching = settings.Caching;
-  plan.ErrorToleranceIsSet = settings.ErrorTolerance > 0.0;
-  plan.ErrorTolerance = plan.ErrorToleranceIsSet ? settings.ErrorTolerance : StandardErrorTolerance;
-  plan.EstimatorErrorTolerance = estimator.ErrorTolerance;
+  plan.FindTolerances(settings, estimator);
   plan.IndirectScale = settings.IndirectScale;
   plan.Interactive = IsInteractive(circumstances.UpdateRate);
   plan.WaitsForMaps = settings.MapsFirst && settings.Caching && !plan.Interactive;
@@ -117,6 +115,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
       plan.Antialiasing          ? "by their shapes: what the pass draws has no samples to average"
         : !settings.Antialiasing ? "Antialiasing is off"
                                  : other + " antialiases the picture");
+  plan.ReportTolerances(estimator);
   plan.LeaveOut(settings, estimator, circumstances);
   return plan;
 }
@@ -222,6 +221,42 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
 }
 
 //------------------------------------------------------------------------------
+// Resolves ErrorTolerance 0, for which each part of the light has a standard tolerance of its own.
+void vtkIndirectPlan::FindTolerances(
+  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
+{
+  this->ErrorToleranceIsSet = settings.ErrorTolerance > 0.0;
+  if (this->ErrorToleranceIsSet)
+  {
+    this->ErrorTolerance = this->SkyErrorTolerance = settings.ErrorTolerance;
+  }
+  this->EstimatorErrorTolerance = estimator.ErrorTolerance;
+}
+
+//------------------------------------------------------------------------------
+// Says which tolerance each part of the light aims at: the setting may be 0, and a part may not
+// follow it.
+void vtkIndirectPlan::ReportTolerances(const vtkIndirectAbilities& estimator)
+{
+  std::string why;
+  auto add = [&](bool isThere, double tolerance, const std::string& part)
+  {
+    if (isThere && tolerance > 0.0)
+    {
+      why += (why.empty() ? "" : ", ") + vtkIndirectReport::Number(tolerance) + " of " + part;
+    }
+  };
+  add(this->Irradiance && estimator.TakesSampler, this->ErrorTolerance, "virtual lights");
+  add(this->AreaLights, this->ErrorTolerance, "area lights");
+  add(this->HasSkyMaps(), this->SkyErrorTolerance, "the sky");
+  add(this->Irradiance, this->EstimatorErrorTolerance, estimator.Name);
+  if (!why.empty())
+  {
+    this->Modelled.emplace_back("error tolerances", why);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectPlan::FindVisibility(
   const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
 {
@@ -276,7 +311,7 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
     this->LeftOut.emplace_back("bounces of light from the sky",
       estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark");
   }
-  this->NumberOfStillSkyDirections = FindSkyDirections(settings.ErrorTolerance);
+  this->NumberOfStillSkyDirections = FindSkyDirections(this->SkyErrorTolerance);
   this->NumberOfSkyDirections = this->NumberOfStillSkyDirections;
   if (this->Interactive)
   {
@@ -306,7 +341,7 @@ void vtkIndirectPlan::FindSkySource(const vtkIndirectSettings& settings,
     this->Modelled.emplace_back("sky by " + estimator.Name, "it is the estimator");
     return;
   }
-  const bool asked = settings.ErrorTolerance > 0.0 && settings.ErrorTolerance < ErrorOfSpheres;
+  const bool asked = this->ErrorToleranceIsSet && this->ErrorTolerance < ErrorOfSpheres;
   std::string why;
   if (!this->SkyIsShadowed)
   {
@@ -537,13 +572,8 @@ int vtkIndirectPlan::FindTilesPerFrame(double triangles, double props, double up
 //------------------------------------------------------------------------------
 int vtkIndirectPlan::FindSkyDirections(double tolerance)
 {
-  constexpr int standard = 256;
-  if (tolerance <= 0.0)
-  {
-    return standard;
-  }
   int count = 16;
-  while (count < 1024 && 0.035 * std::pow(static_cast<double>(standard) / count, 0.75) > tolerance)
+  while (count < 1024 && StandardSkyErrorTolerance * std::pow(256.0 / count, 0.75) > tolerance)
   {
     count *= 2;
   }

@@ -175,18 +175,17 @@ struct vtkIndirectPlan
   int LastBounce = 1; // the last bounce that an estimator, a sampler or the walk computes
   ///@{
   /**
-   * The relative error that the light of the frame aims at, the user's or the standard one, and
-   * whether the user has set it.
+   * The relative errors that parts of the frame's light aim at: the user's, if ErrorToleranceIsSet,
+   * else a standard one for each part. ErrorTolerance is that of samplers and area lights. The
+   * estimator's is 0 if none of its parameters depends on it.
    */
   static constexpr double StandardErrorTolerance = 0.02;
-  double ErrorTolerance = StandardErrorTolerance;
+  static constexpr double StandardSkyErrorTolerance = 0.035;
   bool ErrorToleranceIsSet = false;
-  ///@}
-  /**
-   * The relative error by which the estimator's parameters are chosen; 0: no parameter depends on
-   * it.
-   */
+  double ErrorTolerance = StandardErrorTolerance;
+  double SkyErrorTolerance = StandardSkyErrorTolerance;
   double EstimatorErrorTolerance = 0.0;
+  ///@}
   bool Caching = true;
   double IndirectScale = 1.0;
   /** VTK irradiance, about the brightest of the frame: a power of two, for half floats. */
@@ -233,10 +232,10 @@ struct vtkIndirectPlan
    */
   static int FindTilesPerFrame(double triangles, double props, double updateRate);
   /**
-   * Returns the number of directions of the sky for an error tolerance: 16, 32, 64, 128, 256 (also
-   * for 0, where no tolerance is set), 512 or 1024. The RMS error over the mean, of 256 directions
-   * with exact visibility, each seen or not, is 0.035 as the mean of three scenes. It is
-   * proportional to the power -3/4 of the number, as from 64 to 256 in these scenes.
+   * Returns the number of directions of the sky for an error tolerance: a power of two from 16 to
+   * 1024. The RMS error over the mean, of 256 directions with exact visibility, each seen or not,
+   * is StandardSkyErrorTolerance as the mean of three scenes. It is proportional to the power -3/4
+   * of the number, as from 64 to 256 in these scenes.
    */
   static int FindSkyDirections(double tolerance);
 
@@ -245,6 +244,8 @@ private:
     const vtkIndirectCircumstances& circumstances);
   void FindBounces(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
+  void ReportTolerances(const vtkIndirectAbilities& estimator);
+  void FindTolerances(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
   void FindSky(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
