@@ -371,7 +371,7 @@ class Command(DirectoryTest):
             self.assertEqual(found[name], {"median_ms": expected, "p95_ms": expected})
 
     def test_the_image_of_a_camera_that_stands_is_the_same_on_a_busy_machine(self) -> None:
-        """Where a frame takes ever so long there are as many frames as elsewhere."""
+        """The number of frames is the same however long a frame takes."""
         scene = load_scene(SCENES / "sky_disk.json")
         window = frames.open_window(scene, (48, 48))
         self.addCleanup(window.Finalize)
@@ -425,7 +425,7 @@ class Command(DirectoryTest):
             self.assertEqual(window.GetDesiredUpdateRate(), before)
 
     def test_frames_are_measured_when_all_depth_maps_are_there(self) -> None:
-        """Where a frame has time for a few alone; and where nothing is kept none are waited for."""
+        """This holds if a frame has time for a few maps only; without caching no maps are waited for."""
         scene = load_scene(self.write("small.json", small_scene()))
         window = frames.open_window(scene, None)
         self.addCleanup(window.Finalize)

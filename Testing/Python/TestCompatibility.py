@@ -104,7 +104,7 @@ class Import(support.DirectoryTest):
         return self.directory
 
     def test_this_version(self) -> None:
-        """What VTK deletes when a process ends is still there then."""
+        """The process still has the objects that VTK deletes when it ends."""
         vtks = Path(vtkCommonCore.__file__).parents[1]
         result = self.run_python(vtks, "import vtkindirect; print('imported')")
         self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "imported\n"))

@@ -197,7 +197,8 @@ def read_alone(path: Path) -> None:
     reader.Update()
 
 
-# Whose readers take what is there of a file that ends early; of the first two all may be there.
+# The readers of these files take the content that is there of a file that ends early; the first two
+# may still be complete.
 CONTENT = ("a.vts", "a.vtr", "a.obj", "a.mha", "a.mhd", "a.pdb")
 
 ATOM = "ATOM      1  N   ALA A   1      11.104   6.134  -6.504  1.00  0.00           N\n"
@@ -221,7 +222,7 @@ class Readers(support.DirectoryTest):
                 self.assertEqual(data.read(self.directory / name).GetNumberOfPoints(), points)
 
     def test_files_that_end_early(self) -> None:
-        """What VTK's reader reports is one line; some readers are content with what is there."""
+        """A report of VTK's reader is one line; some readers are content with the data that are there."""
         for name in write_all(self.directory):
             whole = (self.directory / name).read_bytes()
             for part in (0.02, 0.3, 0.6, 0.9, 0.98):

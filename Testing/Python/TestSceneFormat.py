@@ -258,7 +258,7 @@ class Package(unittest.TestCase):
 
 
 class Built(support.DirectoryTest):
-    """What a correct scene says is what the renderer has."""
+    """The renderer has the content of a correct scene."""
 
     def load(self, document: Any) -> Any:
         return load_scene(self.write("scene.json", document))

@@ -93,7 +93,7 @@ class SkySpheres(unittest.TestCase):
         self.check("sky_particles")
 
     def test_default_receivers(self) -> None:
-        """Where spheres are small in the picture receivers are closer, by themselves. Measured: nRMSE
+        """Receivers are closer by themselves where spheres are small in the picture. Measured: nRMSE
         0.025, bias +0.011, of the bounce -0.018."""
         sky, bounce = self.errors("sky_particles", 3, 2)
         self.assertLess(sky.nrmse, SCENES["sky_particles"])

@@ -74,7 +74,7 @@ class Files(support.DirectoryTest):
 
 
 class Ends(support.DirectoryTest):
-    """What ends the program before its time is one line."""
+    """The program that ends before its time writes one line."""
 
     def start(self, *words, **how) -> subprocess.Popen:
         return subprocess.Popen(

@@ -37,7 +37,7 @@ class Files(unittest.TestCase):
 
     def test_table(self) -> None:
         written = numbers_of(TABLE.read_text(encoding="utf-8")).reshape(fits.ENTRIES, 4)
-        # Where the search ends depends on rounding in the last of seven digits.
+        # Rounding in the last of seven digits decides where the search ends.
         np.testing.assert_allclose(fits.over_rows(MADE), written, atol=1e-4)
 
     def test_small_spheres_hide_what_they_cover(self) -> None:

@@ -329,7 +329,7 @@ class KnownAnswers(Traced):
 
 
 class Furnace(Traced):
-    """Where every surface reflects all light, a sky of L makes E = L everywhere in the end."""
+    """If every surface reflects all light, a sky of L makes E = L everywhere in the end."""
 
     def test_groove(self) -> None:
         """S1 and 40 bounces; in the groove a bounce keeps less than 0.75 of the light."""

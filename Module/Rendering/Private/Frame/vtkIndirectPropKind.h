@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How VTK draws the opaque geometry of a prop, as far as indirect light is concerned.
+// Tells how VTK draws the opaque geometry of a prop, as far as indirect light is concerned.
 #pragma once
 
 #include <cstddef> // for size_t

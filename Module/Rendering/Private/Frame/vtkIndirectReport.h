@@ -30,7 +30,7 @@ struct vtkIndirectReport
   std::string GLVersion;
   /** Names of the inputs of the frame's light that differ from those of the frame before. */
   std::vector<std::string> Changed;
-  /** How often data kept between frames were made again since construction, by name. */
+  /** Counts how often data kept between frames were made again since construction, by name. */
   std::map<std::string, long long> Counters;
   /** Methods in use, name and value; see vtkIndirectBackEndChoices. */
   Entries BackEndChoices;

@@ -51,7 +51,8 @@ public:
    */
   virtual void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) = 0;
 
-  /** How the pattern's places are warped, so that more of them lie where more light comes from. */
+  /** Says how the pattern's places are warped, so that more of them lie where more light comes
+   * from. */
   struct Drawing
   {
     enum Importance

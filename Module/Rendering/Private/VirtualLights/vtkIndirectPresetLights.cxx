@@ -9,7 +9,7 @@
 
 namespace
 {
-// How a preset divides the light between the renderer's own lights and its own.
+// A preset divides the light between the renderer's own lights and its own by these numbers.
 struct Balance
 {
   // The share that stays as VTK draws it: the smallest one, in steps of 0.1, with which no more

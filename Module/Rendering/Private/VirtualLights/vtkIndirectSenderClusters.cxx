@@ -37,10 +37,10 @@ constexpr double BrightnessLength = 0.05;
 constexpr double MostDimness = 4.0;
 constexpr double MostBrightness = 0.5;
 
-// How much more a lobe counts the turn of normals than diffuse light does.
+// A lobe counts the turn of normals so much more than diffuse light does.
 constexpr double LobeTurn = 3.0;
 
-// How much better a choice must be to replace another one. Texels in rows have many choices that
+// A choice must be so much better to replace another one. Texels in rows have many choices that
 // are equal except for rounding; if rounding decided, lights would jump.
 constexpr double Margin = 0.01;
 
