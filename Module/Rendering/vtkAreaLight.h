@@ -124,22 +124,6 @@ public:
    */
   void GetMeanRadiance(double radiance[3]);
 
-#ifndef __VTK_WRAP__
-  /**
-   * Returns the radiances of its pieces, Scale included: `columns` along Point1 - Origin times
-   * `rows`, the piece at Origin first. A light without an image has one piece. Empty after an
-   * error.
-   */
-  const std::vector<float>& GetRadiances(int& columns, int& rows); // three floats a piece
-
-  /**
-   * Returns true if it is on and fit for a scene of this centre and size: its corners are finite,
-   * no farther away than 1e9 sizes and span an area, its edges are no shorter than 1e-9 sizes, and
-   * its radiance can be read. Otherwise one error gives the reason, until the light changes.
-   */
-  bool ShinesInto(const double center[3], double size);
-#endif
-
 protected:
   vtkAreaLight();
   ~vtkAreaLight() override;
@@ -152,6 +136,10 @@ private:
   vtkAreaLight(const vtkAreaLight&) = delete;
   void operator=(const vtkAreaLight&) = delete;
 
+  friend struct vtkIndirectEmitterAccess; // its comments describe the next members
+
+  const std::vector<float>& GetRadiances(int& columns, int& rows);
+  bool ShinesInto(const double center[3], double size);
   void ReadRadiances();
 
   struct SettingsType

@@ -5,6 +5,7 @@
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectSettingList.h"
 #include "VirtualLights/vtkIndirectAreaClusters.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "vtkAreaLight.h"
@@ -148,12 +149,14 @@ bool AreaLights::Update(const Input& input)
   for (int i = 0; i < this->Set.GetNumberOfAreaLights(); ++i)
   {
     vtkAreaLight* const light = this->Set.GetAreaLight(i);
-    if (!light->ShinesInto(glm::value_ptr(frame.SceneCenter), 1.0 / frame.SceneScale))
+    if (!vtkIndirectEmitterAccess::ShinesInto(
+          light, glm::value_ptr(frame.SceneCenter), 1.0 / frame.SceneScale))
     {
       continue;
     }
     vtkIndirectAreaClusters::Image image(light, frame.SceneCenter, frame.SceneScale);
-    const std::vector<float>& radiances = light->GetRadiances(image.Columns, image.Rows);
+    const std::vector<float>& radiances =
+      vtkIndirectEmitterAccess::GetRadiances(light, image.Columns, image.Rows);
     if (!radiances.empty())
     {
       image.Radiances = radiances.data();

@@ -67,11 +67,6 @@ public:
   vtkAreaLight* GetAreaLight(int index) const;
   ///@}
 
-#ifndef __VTK_WRAP__
-  /** Replaces the lights; nothing changes if they are the same. */
-  void SetLights(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
-#endif
-
   /** Includes the times of the lights and of their images. */
   vtkMTimeType GetMTime() override;
 
@@ -82,6 +77,10 @@ protected:
 private:
   vtkAreaLightSampler(const vtkAreaLightSampler&) = delete;
   void operator=(const vtkAreaLightSampler&) = delete;
+
+  friend struct vtkIndirectEmitterAccess; // its comments describe the next function
+
+  void SetLights(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
 
   struct SettingsType
   {

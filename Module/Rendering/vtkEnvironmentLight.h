@@ -64,23 +64,6 @@ public:
    */
   static vtkInformationObjectBaseKey* ENVIRONMENT();
 
-#ifndef __VTK_WRAP__
-  /** A piece of the sky, with its light and the light's direction. */
-  struct Cell
-  {
-    double Direction[3]; // world, unit, to the middle of its light
-    double Light[3];     // radiance integrated over its solid angle
-  };
-  /**
-   * Returns the whole sky in cells of at most 1.4 degrees, none of them dark. The cells are
-   * integrals of the image, so that a small bright sun loses nothing. Empty if there is no light at
-   * all, or after an error.
-   */
-  const std::vector<Cell>& GetCells();
-  /** Finds the greatest radiance of all directions, for each colour separately. */
-  void GetGreatestRadiance(double radiance[3]);
-#endif
-
 protected:
   vtkEnvironmentLight();
   ~vtkEnvironmentLight() override;
@@ -92,6 +75,15 @@ private:
   vtkEnvironmentLight(const vtkEnvironmentLight&) = delete;
   void operator=(const vtkEnvironmentLight&) = delete;
 
+  friend struct vtkIndirectEmitterAccess; // its comments describe the next members
+
+  struct Cell
+  {
+    double Direction[3]; // world, unit, to the middle of its light
+    double Light[3];     // radiance integrated over its solid angle
+  };
+  const std::vector<Cell>& GetCells();
+  void GetGreatestRadiance(double radiance[3]);
   void MakeCells();
 
   std::vector<Cell> Cells;

@@ -2,6 +2,7 @@
 // Directions that represent parts of the sky, and the irradiance of an open sky, against integrals.
 #include "Gather/vtkIndirectSkyDirections.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
@@ -73,7 +74,7 @@ VTK_INDIRECT_TEST(SkyLosesNothing)
   vtkNew<vtkEnvironmentLight> environment;
   environment->SetImage(image);
   glm::dvec3 total(0.0);
-  for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
   {
     total += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
   }

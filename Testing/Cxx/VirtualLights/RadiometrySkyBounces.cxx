@@ -3,6 +3,7 @@
 // as a vtkLight.
 #include "vtkIndirectTestUtilities.h"
 
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkEnvironmentLight.h"
@@ -178,7 +179,8 @@ VTK_INDIRECT_TEST(SkyBouncesOfASun)
     {
       double strength = 0.0;
       glm::dvec3 from(0.0);
-      for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+      for (const vtkIndirectEmitterAccess::Cell& cell :
+        vtkIndirectEmitterAccess::GetCells(environment))
       {
         strength += cell.Light[0] / pi;
         from += cell.Light[0] * glm::dvec3(cell.Direction[0], cell.Direction[1], cell.Direction[2]);

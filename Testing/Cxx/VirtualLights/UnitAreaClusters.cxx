@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lights that represent a rectangle of pixels: its total light, at its positions.
 #include "VirtualLights/vtkIndirectAreaClusters.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectTestUtilities.h"
@@ -288,7 +289,8 @@ VTK_INDIRECT_TEST(AreaLightReadsImages)
   int rows = 0;
   light->SetRadiance(1.0, 2.0, 3.0);
   light->SetScale(2.0);
-  CheckEqual("without an image one radiance", light->GetRadiances(columns, rows)[1], 4.0);
+  CheckEqual("without an image one radiance",
+    vtkIndirectEmitterAccess::GetRadiances(light, columns, rows)[1], 4.0);
   Check("of one piece", columns == 1 && rows == 1);
 
   vtkNew<vtkImageData> image;
@@ -299,7 +301,8 @@ VTK_INDIRECT_TEST(AreaLightReadsImages)
     image->SetScalarComponentFromDouble(i % 3, i / 3, 0, 0, i == 4 ? 255.0 : 0.0);
   }
   light->SetImage(image);
-  const std::vector<float>& radiances = light->GetRadiances(columns, rows);
+  const std::vector<float>& radiances =
+    vtkIndirectEmitterAccess::GetRadiances(light, columns, rows);
   Check("as many pieces as pixels", columns == 3 && rows == 2 && radiances.size() == 18);
   CheckEqual("bytes are parts of 255, times Radiance and Scale", radiances[3 * 4 + 2], 6.0);
   double mean[3];
@@ -309,5 +312,5 @@ VTK_INDIRECT_TEST(AreaLightReadsImages)
   image->SetScalarComponentFromDouble(0, 0, 0, 0, 255.0);
   image->Modified();
   Check("a change of the image is one of the light", light->GetMTime() > before);
-  CheckEqual("and is read", light->GetRadiances(columns, rows)[0], 2.0);
+  CheckEqual("and is read", vtkIndirectEmitterAccess::GetRadiances(light, columns, rows)[0], 2.0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // An environment's light, in total and by direction, against integrals over the sphere.
 #include "VirtualLights/vtkIndirectDirections.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
 #include "vtkIndirectTestUtilities.h"
@@ -17,7 +18,7 @@ namespace
 glm::dvec3 SumLight(vtkEnvironmentLight* environment)
 {
   glm::dvec3 sum(0.0);
-  for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
   {
     sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
   }
@@ -37,7 +38,8 @@ std::vector<glm::dvec3> Project(
   vtkEnvironmentLight* environment, const std::vector<glm::dvec3>& directions)
 {
   std::vector<glm::dvec3> light(directions.size(), glm::dvec3(0.0));
-  const std::vector<vtkEnvironmentLight::Cell>& cells = environment->GetCells();
+  const std::vector<vtkIndirectEmitterAccess::Cell>& cells =
+    vtkIndirectEmitterAccess::GetCells(environment);
   const std::vector<size_t> nearest =
     vtkIndirectDirections::FindNearest(cells, directions, directions.size());
   for (size_t i = 0; i < cells.size(); ++i)
@@ -111,7 +113,8 @@ VTK_INDIRECT_TEST(EnvironmentLiesAsASkyboxDoes)
     vtkNew<vtkEnvironmentLight> environment;
     environment->SetImage(image);
     glm::dvec3 mean(0.0);
-    for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+    for (const vtkIndirectEmitterAccess::Cell& cell :
+      vtkIndirectEmitterAccess::GetCells(environment))
     {
       mean += cell.Light[0] * glm::dvec3(cell.Direction[0], cell.Direction[1], cell.Direction[2]);
     }
@@ -129,7 +132,8 @@ VTK_INDIRECT_TEST(EnvironmentLiesAsASkyboxDoes)
     const glm::dvec3 turned = c.From.x * glm::dvec3(0, 1, 0) + c.From.y * glm::dvec3(1, 0, 0) +
       c.From.z * glm::cross(glm::dvec3(0, 1, 0), glm::dvec3(1, 0, 0));
     glm::dvec3 after(0.0);
-    for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+    for (const vtkIndirectEmitterAccess::Cell& cell :
+      vtkIndirectEmitterAccess::GetCells(environment))
     {
       after += cell.Light[0] * glm::dvec3(cell.Direction[0], cell.Direction[1], cell.Direction[2]);
     }
@@ -167,7 +171,7 @@ VTK_INDIRECT_TEST(EnvironmentRefusesWhatIsNoRadiance)
   Check("what is left is finite", std::isfinite(sum.x + sum.y + sum.z) && sum.x > 0.0);
   vtkNew<vtkEnvironmentLight> dark;
   dark->SetRadiance(0.0, 0.0, 0.0);
-  Check("a dark sky has no cells", dark->GetCells().empty());
+  Check("a dark sky has no cells", vtkIndirectEmitterAccess::GetCells(dark).empty());
 }
 
 // The first directions of a nested order are nearly as even as a lattice of that number.

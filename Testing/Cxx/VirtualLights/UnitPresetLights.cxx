@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lights of presets: their skies' light, against closed forms.
 #include "Pipeline/vtkIndirectLighting.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "VirtualLights/vtkIndirectPresetLights.h"
 #include "vtkActor.h"
 #include "vtkEnvironmentLight.h"
@@ -382,7 +383,8 @@ VTK_INDIRECT_TEST(RigAlbedoOfPBR)
     vtkIndirectLighting lighting;
     lighting.Update(renderer, settings, nullptr);
     glm::dvec3 sum(0.0);
-    for (const vtkEnvironmentLight::Cell& cell : lighting.GetEnvironment()->GetCells())
+    for (const vtkIndirectEmitterAccess::Cell& cell :
+      vtkIndirectEmitterAccess::GetCells(lighting.GetEnvironment()))
     {
       sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
     }

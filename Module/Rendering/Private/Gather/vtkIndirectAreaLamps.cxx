@@ -6,6 +6,7 @@
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
@@ -132,7 +133,8 @@ void vtkIndirectAreaLamps::UpdateLamp(Lamp& lamp, vtkAreaLight* light, int texel
   {
     int columns;
     int rows;
-    const std::vector<float>& radiances = light->GetRadiances(columns, rows);
+    const std::vector<float>& radiances =
+      vtkIndirectEmitterAccess::GetRadiances(light, columns, rows);
     lamp.Pyramid.Build(radiances, columns, rows, texels);
     lamp.TextureIsStale = true;
   }

@@ -2,6 +2,7 @@
 #include "Gather/vtkIndirectSkyDirections.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkMath.h"
@@ -56,7 +57,8 @@ void vtkIndirectSkyDirections::FindLight(
   vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment)
 {
   using namespace vtkIndirectKernels;
-  const std::vector<vtkEnvironmentLight::Cell>& cells = environment->GetCells();
+  const std::vector<vtkIndirectEmitterAccess::Cell>& cells =
+    vtkIndirectEmitterAccess::GetCells(environment);
   const vtkIndirectSkyProjection::Result& sky =
     projection.Find(environment, std::max(this->Still, LeastLattice));
   this->Lattice = sky.Directions;

@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "VirtualLights/vtkIndirectRectangle.h"
 #include "vtkTextureObject.h"
 
@@ -19,7 +20,7 @@ bool IsSeen(vtkAreaLight* light)
   int columns;
   int rows;
   return light->GetVisible() && light->GetSwitch() && light->GetArea() > 0.0 &&
-    !light->GetRadiances(columns, rows).empty();
+    !vtkIndirectEmitterAccess::GetRadiances(light, columns, rows).empty();
 }
 
 // Returns true if the eye is on a side that sends light.
@@ -67,7 +68,8 @@ vtkTextureObject* vtkIndirectVisibleLamps::FindPicture(
 {
   int columns;
   int rows;
-  const std::vector<float>& radiances = light->GetRadiances(columns, rows);
+  const std::vector<float>& radiances =
+    vtkIndirectEmitterAccess::GetRadiances(light, columns, rows);
   if (columns * rows == 1)
   {
     return nullptr;

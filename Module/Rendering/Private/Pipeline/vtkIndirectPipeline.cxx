@@ -9,6 +9,7 @@
 #include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -25,7 +26,7 @@ namespace
 double SumIrradiance(vtkEnvironmentLight* environment)
 {
   glm::dvec3 sum(0.0);
-  for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
   {
     sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
   }
@@ -65,7 +66,8 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   for (const auto& light : this->AreaLights)
   {
     if (!light->GetSwitch() ||
-      light->ShinesInto(glm::value_ptr(this->Frame.SceneCenter), 1.0 / this->Frame.SceneScale))
+      vtkIndirectEmitterAccess::ShinesInto(
+        light, glm::value_ptr(this->Frame.SceneCenter), 1.0 / this->Frame.SceneScale))
     {
       this->UsableAreaLights.push_back(light);
     }
@@ -114,7 +116,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
       (this->Plan.AutomaticAreaLightsAreVirtual && method == vtkAreaLight::AUTOMATIC);
     (isVirtual ? virtualAreaLights : this->ClosedAreaLights).push_back(light);
   }
-  this->Samplers.Area->SetLights(virtualAreaLights);
+  vtkIndirectEmitterAccess::SetLights(this->Samplers.Area, virtualAreaLights);
   // Old maps are released: they would show outdated shadows when the sky comes from maps again.
   const bool sky = circumstances.Environment && request.Settings.IndirectScale > 0.0;
   if (!sky || this->Plan.SkySource != vtkIndirectPlan::SKY_BY_MAPS)
@@ -438,7 +440,7 @@ glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
   // The bound fails for an unoccluded sky, which shines through surfaces and adds to their light.
   if (this->Parts[SKY].IsThere && this->Plan.SkyIsShadowed && this->Environment && !lamps)
   {
-    this->Environment->GetGreatestRadiance(&greatest[0]);
+    vtkIndirectEmitterAccess::GetGreatestRadiance(this->Environment, &greatest[0]);
   }
   return greatest;
 }

@@ -3,6 +3,7 @@
 
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Proxies/vtkIndirectCoefficient.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -37,7 +38,7 @@ vtkIndirectProxyLight::Coefficients vtkIndirectProxyLight::Project(vtkEnvironmen
 {
   Coefficients light;
   light.fill(glm::dvec3(0.0));
-  for (const vtkEnvironmentLight::Cell& cell : environment->GetCells())
+  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
   {
     const vtkiHarmonics4 y =
       vtkiHarmonics4At(glm::vec3(cell.Direction[0], cell.Direction[1], cell.Direction[2]));

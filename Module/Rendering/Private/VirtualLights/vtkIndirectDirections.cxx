@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VirtualLights/vtkIndirectDirections.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 
 #include "vtkMath.h"
 
@@ -87,12 +88,12 @@ std::vector<glm::dvec3> vtkIndirectDirections::MakeNestedLattice(int count)
 
 //------------------------------------------------------------------------------
 std::vector<size_t> vtkIndirectDirections::FindNearest(
-  const std::vector<vtkEnvironmentLight::Cell>& cells, const std::vector<glm::dvec3>& directions,
-  size_t count)
+  const std::vector<vtkIndirectEmitterAccess::Cell>& cells,
+  const std::vector<glm::dvec3>& directions, size_t count)
 {
   std::vector<size_t> result;
   result.reserve(cells.size());
-  for (const vtkEnvironmentLight::Cell& cell : cells)
+  for (const vtkIndirectEmitterAccess::Cell& cell : cells)
   {
     const glm::dvec3 d(cell.Direction[0], cell.Direction[1], cell.Direction[2]);
     size_t nearest = 0;

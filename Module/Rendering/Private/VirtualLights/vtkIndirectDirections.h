@@ -2,6 +2,7 @@
 // Directions in which an environment is sampled, and the cells that each of them represents.
 #pragma once
 
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "vtkEnvironmentLight.h" // for its cells
 
 #include <glm/glm.hpp> // for directions
@@ -25,6 +26,6 @@ std::vector<glm::dvec3> MakeLattice(int count);
 std::vector<glm::dvec3> MakeNestedLattice(int count);
 
 /** Returns for each cell the nearest one of the first `count` directions. */
-std::vector<size_t> FindNearest(const std::vector<vtkEnvironmentLight::Cell>& cells,
+std::vector<size_t> FindNearest(const std::vector<vtkIndirectEmitterAccess::Cell>& cells,
   const std::vector<glm::dvec3>& directions, size_t count);
 }

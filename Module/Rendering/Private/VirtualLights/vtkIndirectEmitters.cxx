@@ -2,6 +2,7 @@
 #include "VirtualLights/vtkIndirectEmitters.h"
 
 #include "VirtualLights/vtkIndirectDirections.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "VirtualLights/vtkIndirectRectangle.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "VirtualLights/vtkIndirectSkyProjection.h"
@@ -63,7 +64,8 @@ glm::dvec3 FindRadiance(vtkAreaLight* light, int x, int y, int pieces)
 {
   int columns;
   int rows;
-  const std::vector<float>& radiances = light->GetRadiances(columns, rows);
+  const std::vector<float>& radiances =
+    vtkIndirectEmitterAccess::GetRadiances(light, columns, rows);
   // A pixel that lies in several parts counts for each part with its share there.
   auto share = [pieces](int pixel, int count, int piece)
   {

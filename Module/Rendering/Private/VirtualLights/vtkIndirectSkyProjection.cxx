@@ -2,6 +2,7 @@
 #include "VirtualLights/vtkIndirectSkyProjection.h"
 
 #include "VirtualLights/vtkIndirectDirections.h"
+#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "vtkEnvironmentLight.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -64,7 +65,8 @@ const vtkIndirectSkyProjection::Result& vtkIndirectSkyProjection::Find(
   {
     result.Directions = vtkIndirectDirections::MakeNestedLattice(count);
   }
-  const std::vector<vtkEnvironmentLight::Cell>& cells = environment->GetCells();
+  const std::vector<vtkIndirectEmitterAccess::Cell>& cells =
+    vtkIndirectEmitterAccess::GetCells(environment);
   result.Nearest =
     vtkIndirectDirections::FindNearest(cells, result.Directions, result.Directions.size());
   result.Light.assign(result.Directions.size(), glm::dvec3(0.0));
