@@ -34,7 +34,7 @@
 
 class vtkInformationObjectBaseKey;
 
-class VTKRENDERINGINDIRECT_EXPORT vtkAreaLight : public vtkIndirectEmitterBase
+class VTKRENDERINGINDIRECT_EXPORT vtkAreaLight final : public vtkIndirectEmitterBase
 {
 public:
   static vtkAreaLight* New();

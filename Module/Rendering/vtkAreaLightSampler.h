@@ -34,7 +34,7 @@
 
 class vtkAreaLight;
 
-class VTKRENDERINGINDIRECT_EXPORT vtkAreaLightSampler : public vtkVirtualLightSampler
+class VTKRENDERINGINDIRECT_EXPORT vtkAreaLightSampler final : public vtkVirtualLightSampler
 {
 public:
   static vtkAreaLightSampler* New();

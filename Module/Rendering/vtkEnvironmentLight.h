@@ -27,7 +27,7 @@
 
 class vtkInformationObjectBaseKey;
 
-class VTKRENDERINGINDIRECT_EXPORT vtkEnvironmentLight : public vtkIndirectEmitterBase
+class VTKRENDERINGINDIRECT_EXPORT vtkEnvironmentLight final : public vtkIndirectEmitterBase
 {
 public:
   static vtkEnvironmentLight* New();

@@ -22,7 +22,7 @@
 #include "vtkRenderingIndirectModule.h" // For export macro
 #include "vtkVirtualLightSampler.h"
 
-class VTKRENDERINGINDIRECT_EXPORT vtkImportanceLightSampler : public vtkVirtualLightSampler
+class VTKRENDERINGINDIRECT_EXPORT vtkImportanceLightSampler final : public vtkVirtualLightSampler
 {
 public:
   static vtkImportanceLightSampler* New();

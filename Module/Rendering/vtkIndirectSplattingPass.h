@@ -47,7 +47,7 @@
 #include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
 
-class VTKRENDERINGINDIRECT_EXPORT vtkIndirectSplattingPass : public vtkIndirectEstimatorPass
+class VTKRENDERINGINDIRECT_EXPORT vtkIndirectSplattingPass final : public vtkIndirectEstimatorPass
 {
 public:
   static vtkIndirectSplattingPass* New();

@@ -25,7 +25,7 @@
 #include "vtkRenderingIndirectModule.h" // For export macro
 #include "vtkVirtualLightSampler.h"
 
-class VTKRENDERINGINDIRECT_EXPORT vtkLightTreeSampler : public vtkVirtualLightSampler
+class VTKRENDERINGINDIRECT_EXPORT vtkLightTreeSampler final : public vtkVirtualLightSampler
 {
 public:
   static vtkLightTreeSampler* New();

@@ -58,7 +58,7 @@
 class vtkPolyData;
 class vtkProp;
 
-class VTKRENDERINGINDIRECT_EXPORT vtkProxyAccumulationPass : public vtkIndirectEstimatorPass
+class VTKRENDERINGINDIRECT_EXPORT vtkProxyAccumulationPass final : public vtkIndirectEstimatorPass
 {
 public:
   static vtkProxyAccumulationPass* New();

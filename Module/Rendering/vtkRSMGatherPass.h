@@ -39,7 +39,7 @@
 #include "vtkIndirectSettings.h"        // For properties
 #include "vtkRenderingIndirectModule.h" // For export macro
 
-class VTKRENDERINGINDIRECT_EXPORT vtkRSMGatherPass : public vtkIndirectEstimatorPass
+class VTKRENDERINGINDIRECT_EXPORT vtkRSMGatherPass final : public vtkIndirectEstimatorPass
 {
 public:
   static vtkRSMGatherPass* New();

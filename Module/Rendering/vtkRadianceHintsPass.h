@@ -32,7 +32,7 @@
 
 struct vtkIndirectHintDetails;
 
-class VTKRENDERINGINDIRECT_EXPORT vtkRadianceHintsPass : public vtkIndirectEstimatorPass
+class VTKRENDERINGINDIRECT_EXPORT vtkRadianceHintsPass final : public vtkIndirectEstimatorPass
 {
 public:
   static vtkRadianceHintsPass* New();

@@ -28,7 +28,7 @@
 #include "vtkRenderingIndirectModule.h" // For export macro
 #include "vtkVirtualLightSampler.h"
 
-class VTKRENDERINGINDIRECT_EXPORT vtkRandomWalkLightSampler : public vtkVirtualLightSampler
+class VTKRENDERINGINDIRECT_EXPORT vtkRandomWalkLightSampler final : public vtkVirtualLightSampler
 {
 public:
   static vtkRandomWalkLightSampler* New();

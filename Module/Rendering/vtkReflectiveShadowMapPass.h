@@ -35,7 +35,7 @@
 
 class vtkIndirectLightMaps;
 
-class VTKRENDERINGINDIRECT_EXPORT vtkReflectiveShadowMapPass : public vtkOpenGLRenderPass
+class VTKRENDERINGINDIRECT_EXPORT vtkReflectiveShadowMapPass final : public vtkOpenGLRenderPass
 {
 public:
   static vtkReflectiveShadowMapPass* New();

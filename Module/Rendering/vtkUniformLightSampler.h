@@ -17,7 +17,7 @@
 #include "vtkRenderingIndirectModule.h" // For export macro
 #include "vtkVirtualLightSampler.h"
 
-class VTKRENDERINGINDIRECT_EXPORT vtkUniformLightSampler : public vtkVirtualLightSampler
+class VTKRENDERINGINDIRECT_EXPORT vtkUniformLightSampler final : public vtkVirtualLightSampler
 {
 public:
   static vtkUniformLightSampler* New();
