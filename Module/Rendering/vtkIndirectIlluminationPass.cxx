@@ -7,10 +7,10 @@
 #include "Frame/vtkIndirectDelegateGuard.h"
 #include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectLightScope.h"
+#include "Frame/vtkIndirectRendererWork.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectSwitches.h"
-#include "Frame/vtkIndirectView.h"
 #include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "Pipeline/vtkIndirectLighting.h"
@@ -117,7 +117,7 @@ struct vtkIndirectIlluminationPass::Internals
   }
   vtkIndirectDelegateGuard Delegate;
   vtkIndirectEstimatorPass* Borrowed = nullptr;
-  vtkIndirectView View;
+  vtkIndirectRendererWork Work;
   std::string ReportedError;
 
   // Releases everything when the window's context ends or the pass moves to another window: VTK
@@ -356,12 +356,12 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
 
   in.Pipeline.Timer.BeginFrame(window);
   vtkIndirectPipeline::Request request;
-  request.DepthCleared = in.View.Begin(s);
+  request.DepthCleared = in.Work.Begin(s);
   request.Settings = this->Settings;
   request.Circumstances.OwnDelegate = this->DelegatePass != nullptr;
   request.Circumstances.UpdateRate = window->GetDesiredUpdateRate();
   request.Circumstances.OtherAntialiasing =
-    vtkIndirectView::FindAntialiasing(s, this->Settings.RemainingGeometry);
+    vtkIndirectRendererWork::FindAntialiasing(s, this->Settings.RemainingGeometry);
   if (in.Delegate.IsRefused(this->DelegatePass))
   {
     request.Circumstances.DelegateIsRefused = vtkIndirectDelegateGuard::Why;
@@ -405,7 +405,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
     in.Pipeline.DrawLight(request);
     this->ShowDebugView();
     lights.reset();
-    this->NumberOfRenderedProps += vtkIndirectView::RenderFlat(s);
+    this->NumberOfRenderedProps += vtkIndirectRendererWork::RenderFlat(s);
   }
   else
   {
@@ -416,7 +416,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   in.Delegate.End();
   if (this->Settings.RemainingGeometry)
   {
-    this->NumberOfRenderedProps += in.View.RenderRemaining(s);
+    this->NumberOfRenderedProps += in.Work.RenderRemaining(s);
   }
   in.Pipeline.Timer.EndFrame();
   in.FrameSettings = this->CollectSettings();
@@ -590,5 +590,5 @@ void vtkIndirectIlluminationPass::LetGo(vtkWindow* window)
   in.Pipeline.Release(window);
   in.DefaultDelegate->ReleaseGraphicsResources(window);
   in.HiddenLines->ReleaseGraphicsResources(window);
-  in.View.Release(window);
+  in.Work.Release(window);
 }

@@ -39,7 +39,7 @@ public:
   void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   bool Update(const Input& input) override;
   vtkIndirectSamplerAbilities GetAbilities() const override;
-  vtkIndirectMapSampler* GetViewPattern() override;
+  vtkIndirectMapSampler* GetHeadlightPattern() override;
   void AddToReport(vtkIndirectReport& report) const override;
 
 protected:
@@ -49,7 +49,7 @@ private:
   const vtkLightTreeSampler& Set;
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
-  vtkNew<vtkUniformLightSampler> ViewPattern;
+  vtkNew<vtkUniformLightSampler> HeadlightPattern;
   std::vector<vtkIndirectSenderClusters::Sender> FromMaps; // kept if there are further senders,
                                                            // which may come and go
   size_t Sources = 0;                                      // number of the texels' lights
@@ -172,10 +172,10 @@ vtkIndirectSamplerAbilities TreeLights::GetAbilities() const
 
 //------------------------------------------------------------------------------
 // The surfaces that the eye sees change with every move of the camera, too often for a tree.
-vtkIndirectMapSampler* TreeLights::GetViewPattern()
+vtkIndirectMapSampler* TreeLights::GetHeadlightPattern()
 {
-  this->ViewPattern->SetNumberOfLights(this->Set.GetNumberOfLights());
-  return vtkIndirectSampler::Get(this->ViewPattern)->GetViewPattern();
+  this->HeadlightPattern->SetNumberOfLights(this->Set.GetNumberOfLights());
+  return vtkIndirectSampler::Get(this->HeadlightPattern)->GetHeadlightPattern();
 }
 
 //------------------------------------------------------------------------------
@@ -190,7 +190,7 @@ void TreeLights::ReleaseOwn(vtkWindow* window)
 {
   this->vtkIndirectSampler::ReleaseOwn(window);
   this->Texels.Release(window);
-  this->ViewPattern->ReleaseGraphicsResources(window);
+  this->HeadlightPattern->ReleaseGraphicsResources(window);
   this->Clusters.SetSenders({});
   this->FromMaps = {};
   this->MapTime = 0;

@@ -199,7 +199,7 @@ bool GatherSum::Sum(const Input& input)
   {
     this->AllTexels->Release(frame.Window);
   }
-  if (neighborhood && input.Plan.Senders == vtkIndirectPlan::EYE)
+  if (neighborhood && input.Plan.Senders == vtkIndirectPlan::HEADLIGHT)
   {
     vtkErrorWithObjectMacro(&this->Pass,
       "Mode NEIGHBORHOOD needs a light with a map of its own; a single headlight has "

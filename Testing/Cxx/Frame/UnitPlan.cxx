@@ -101,7 +101,7 @@ VTK_INDIRECT_TEST(PlanSenders)
     !plan.Irradiance && Find(plan.LeftOut, "indirect light") == "no surface sends light");
 
   plan = make(MakeFrame({ MakeHeadlight() }));
-  CheckEqual("senders of a headlight", plan.Senders, vtkIndirectPlan::EYE);
+  CheckEqual("senders of a headlight", plan.Senders, vtkIndirectPlan::HEADLIGHT);
   Check("it has no map", plan.MapLights.empty() && !plan.Shadows && plan.Irradiance);
   Check("what is off screen is left out", !Find(plan.LeftOut, "senders outside the view").empty());
   vtkIndirectFrame frame = MakeFrame({ MakeHeadlight() });

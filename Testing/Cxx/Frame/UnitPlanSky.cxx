@@ -24,7 +24,7 @@ VTK_INDIRECT_TEST(PlanSky)
   Check("beside a light", plan.SkyBounces && plan.Senders == vtkIndirectPlan::MAPS);
   CheckEqual("the stronger's unit", plan.IrradianceUnit, 32.0);
   plan = vtkIndirectPlan::Make(MakeFrame({ MakeHeadlight() }), {}, {}, sky);
-  Check("beside a headlight", plan.SkyBounces && plan.Senders == vtkIndirectPlan::EYE);
+  Check("beside a headlight", plan.SkyBounces && plan.Senders == vtkIndirectPlan::HEADLIGHT);
   plan = vtkIndirectPlan::Make(MakeFrame({ MakeLight(0.0) }), {}, {}, sky);
   Check("beside a dark light", plan.SkyBounces && plan.Irradiance);
 

@@ -158,7 +158,7 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
   clusters.SetSenders(senders);
   const Clusters::LightTree lights = clusters.MakeLights({ glm::dvec3(1.0) }, 64, 0.03);
   double all = 0.0;
-  double tops = 0.0;
+  double sumOfLights = 0.0;
   for (const Clusters::Sender& sender : senders)
   {
     all += static_cast<double>(sender.Reflected.x);
@@ -167,8 +167,8 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
   size_t divided = 0;
   for (size_t i = 0; i < lights.Lights.size(); ++i)
   {
-    const double top = lights.Lights[i].DensityArea.x;
-    tops += top;
+    const double whole = lights.Lights[i].DensityArea.x;
+    sumOfLights += whole;
     if (!(lights.Lights[i].ChildDistance > 0.0))
     {
       continue;
@@ -190,11 +190,11 @@ VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
         worst = std::max(worst, std::abs(leaves / light - 1.0));
       }
     }
-    worst = std::max(worst, std::abs(sum / top - 1.0));
+    worst = std::max(worst, std::abs(sum / whole - 1.0));
   }
   CheckEqual("lights", static_cast<double>(lights.Lights.size()), 64);
   Check("some are divided", divided > 0);
-  CheckRelative("light of all", tops, all, 1e-6, "sums in double precision");
+  CheckRelative("light of all", sumOfLights, all, 1e-6, "sums in double precision");
   CheckAtMost("light of branches", worst, 1e-6, "sums in double precision");
   // A single texel has no branches.
   senders.resize(1);

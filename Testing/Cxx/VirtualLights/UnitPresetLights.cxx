@@ -65,7 +65,7 @@ double FindIrradianceOfBall(const vtkIndirectPresetLights& presetLights, bool sk
       const glm::dvec3 n(s * std::cos(angle), s * std::sin(angle), std::sqrt(1.0 - s * s));
       glm::dvec3 color = sky ? FindIrradiance(presetLights, n, 32) : glm::dvec3(0.0);
       color += std::max(glm::dot(n, presetLights.Key.Direction), 0.0) * presetLights.Key.Color;
-      for (const vtkIndirectLamp& fill : presetLights.Fills)
+      for (const vtkIndirectDistantLight& fill : presetLights.Fills)
       {
         color += std::max(glm::dot(n, fill.Direction), 0.0) * fill.Color;
       }
@@ -76,10 +76,12 @@ double FindIrradianceOfBall(const vtkIndirectPresetLights& presetLights, bool sk
 }
 
 // The lights of vtkLightKit: a headlight, a key, a fill and two at the back.
-std::vector<vtkIndirectLamp> MakeKit()
+std::vector<vtkIndirectDistantLight> MakeKit()
 {
-  auto lamp = [](double elevation, double azimuth, const glm::dvec3& color) {
-    return vtkIndirectLamp{ vtkIndirectPresetLights::FromAngles(elevation, azimuth), color };
+  auto lamp = [](double elevation, double azimuth, const glm::dvec3& color)
+  {
+    return vtkIndirectDistantLight{ vtkIndirectPresetLights::FromAngles(elevation, azimuth),
+      color };
   };
   return { { { 0, 0, 1 }, glm::dvec3(0.25) }, lamp(50, 10, { 0.75, 0.729, 0.677 }),
     lamp(-75, 0, { 0.227, 0.233, 0.25 }), lamp(0, 110, glm::dvec3(0.214)),
@@ -122,13 +124,13 @@ VTK_INDIRECT_TEST(PresetLightsBall)
 {
   const char* const why = "quadrature by 288 normals and 1024 directions";
   Random random(11);
-  std::vector<vtkIndirectLamp> three;
+  std::vector<vtkIndirectDistantLight> three;
   for (int i = 0; i < 3; ++i)
   {
     const glm::dvec3 color(random.Next(), random.Next(), random.Next());
     three.push_back({ random.NextDirection(), color });
   }
-  const std::pair<const char*, std::vector<vtkIndirectLamp>> sets[] = {
+  const std::pair<const char*, std::vector<vtkIndirectDistantLight>> sets[] = {
     { "a headlight", { { { 0, 0, 1 }, glm::dvec3(0.7) } } }, { "vtkLightKit", MakeKit() },
     { "a light from the side", { { { 0.8, 0, 0.6 }, { 1.0, 0.5, 0.2 } } } },
     { "three anywhere", three },
@@ -152,7 +154,7 @@ VTK_INDIRECT_TEST(PresetLightsBall)
       CheckRelative(std::string(name) + ", " + title, FindIrradianceOfBall(presetLights, true),
         (1.0 - rest + rest / (atViewer ? 0.86 : 0.83)) * plain, 0.01, why);
       double kept = 0.0;
-      for (const vtkIndirectLamp& fill : presetLights.Fills)
+      for (const vtkIndirectDistantLight& fill : presetLights.Fills)
       {
         kept += vtkIndirectPresetLights::GetIrradianceOfBall(fill);
       }
@@ -175,12 +177,12 @@ VTK_INDIRECT_TEST(PresetLightsBall)
 // replaces: both sums over all directions.
 VTK_INDIRECT_TEST(PresetLightsSoftSky)
 {
-  const std::vector<vtkIndirectLamp> kit = MakeKit();
+  const std::vector<vtkIndirectDistantLight> kit = MakeKit();
   const vtkIndirectPresetLights presetLights =
     vtkIndirectPresetLights::Make(vtkIndirectLightingSoft, kit);
   double scalar = 0.0;
   glm::dvec3 vector(0.0);
-  for (const vtkIndirectLamp& lamp : kit)
+  for (const vtkIndirectDistantLight& lamp : kit)
   {
     scalar += lamp.Color.y;
     vector += lamp.Color.y * lamp.Direction;
@@ -208,7 +210,7 @@ VTK_INDIRECT_TEST(PresetLightsSoftSky)
 
 VTK_INDIRECT_TEST(PresetLightsKit)
 {
-  std::vector<vtkIndirectLamp> kit = { { { 0, 0, 1 }, { 0.2, 0.2, 0.2 } },
+  std::vector<vtkIndirectDistantLight> kit = { { { 0, 0, 1 }, { 0.2, 0.2, 0.2 } },
     { { 0, 1, 0 }, { 0.9, 0.6, 0.3 } }, { { 1, 0, 0 }, { 0.0, 0.1, 0.4 } } };
   const vtkIndirectPresetLights studio =
     vtkIndirectPresetLights::Make(vtkIndirectLightingStudio, kit);
@@ -228,7 +230,7 @@ VTK_INDIRECT_TEST(PresetLightsKit)
     for (const auto& lobe : presetLights.Lobes)
     {
       const auto same = std::find_if(kit.begin(), kit.end(),
-        [&](const vtkIndirectLamp& lamp) { return lamp.Direction == lobe.Lamp.Direction; });
+        [&](const vtkIndirectDistantLight& lamp) { return lamp.Direction == lobe.Lamp.Direction; });
       Check("a lobe is where a light of the kit is", same != kit.end());
       CheckAbsolute("its colour is that light's",
         glm::length(glm::cross(lobe.Lamp.Color, same->Color)), 0.0, 1e-12, "rounding");
@@ -257,7 +259,7 @@ VTK_INDIRECT_TEST(PresetLightsKit)
 // headroom between white and plain VTK's brightness, and convex parts are as bright as promised.
 VTK_INDIRECT_TEST(PresetLightsHeadroom)
 {
-  const std::vector<std::vector<vtkIndirectLamp>> lights = { {},
+  const std::vector<std::vector<vtkIndirectDistantLight>> lights = { {},
     { { { 0, 0, 1 }, glm::dvec3(0.25) },
       { vtkIndirectPresetLights::FromAngles(50, 10), glm::dvec3(0.75) },
       { vtkIndirectPresetLights::FromAngles(-75, 0), glm::dvec3(0.25) },
@@ -265,11 +267,12 @@ VTK_INDIRECT_TEST(PresetLightsHeadroom)
       { vtkIndirectPresetLights::FromAngles(0, -110), glm::dvec3(0.21) } } };
   for (const auto& lamps : lights)
   {
-    const std::vector<vtkIndirectLamp> own =
-      lamps.empty() ? std::vector<vtkIndirectLamp>{ { { 0, 0, 1 }, glm::dvec3(1.0) } } : lamps;
+    const std::vector<vtkIndirectDistantLight> own = lamps.empty()
+      ? std::vector<vtkIndirectDistantLight>{ { { 0, 0, 1 }, glm::dvec3(1.0) } }
+      : lamps;
     double plain = 0.0;
     double all = 0.0;
-    for (const vtkIndirectLamp& lamp : own)
+    for (const vtkIndirectDistantLight& lamp : own)
     {
       plain += vtkIndirectPresetLights::GetIrradianceOfBall(lamp);
       all += lamp.Color.x;
@@ -281,7 +284,7 @@ VTK_INDIRECT_TEST(PresetLightsHeadroom)
     {
       const glm::dvec3 normal = random.NextDirection();
       double sum = 0.0;
-      for (const vtkIndirectLamp& lamp : own)
+      for (const vtkIndirectDistantLight& lamp : own)
       {
         sum += lamp.Color.x * std::max(glm::dot(normal, lamp.Direction), 0.0);
       }
@@ -301,7 +304,7 @@ VTK_INDIRECT_TEST(PresetLightsHeadroom)
           vtkIndirectPresetLights::Make(preset, lamps, { albedo, albedo });
         // The kept share of every light, and for the key the share that its shadows leave.
         double kept = presetLights.Key.Color.x * (1.0 - presetLights.KeyShadow);
-        for (const vtkIndirectLamp& fill : presetLights.Fills)
+        for (const vtkIndirectDistantLight& fill : presetLights.Fills)
         {
           kept += fill.Color.x;
         }
@@ -311,7 +314,7 @@ VTK_INDIRECT_TEST(PresetLightsHeadroom)
           // The headlight's share equals that of each lobe.
           const auto& lobe = presetLights.Lobes.at(0).Lamp;
           const auto same = std::find_if(own.begin(), own.end(),
-            [&](const vtkIndirectLamp& lamp) { return lamp.Direction == lobe.Direction; });
+            [&](const vtkIndirectDistantLight& lamp) { return lamp.Direction == lobe.Direction; });
           given = 0.25 * lobe.Color.x / same->Color.x;
         }
         kept = (kept - given) / all;
@@ -359,7 +362,7 @@ VTK_INDIRECT_TEST(PresetLightsSkies)
 
 // Presets ask the same reader of albedo as rays and voxels do: PBR has VTK's diffuse coefficient,
 // too.
-VTK_INDIRECT_TEST(RigAlbedoOfPBR)
+VTK_INDIRECT_TEST(PresetAlbedoOfPBR)
 {
   const auto find = [](int interpolation, double color, double diffuse, double metallic)
   {

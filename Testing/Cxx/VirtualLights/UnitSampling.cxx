@@ -19,7 +19,7 @@ std::vector<vtkIndirectMapSampler::Sample> MakePattern(
   vtkUniformLightSampler* sampler, const std::vector<vtkIndirectMapSampler::Source>& sources)
 {
   std::vector<vtkIndirectMapSampler::Sample> samples;
-  vtkIndirectSampler::Get(sampler)->GetViewPattern()->MakePattern(sources, samples);
+  vtkIndirectSampler::Get(sampler)->GetHeadlightPattern()->MakePattern(sources, samples);
   return samples;
 }
 }

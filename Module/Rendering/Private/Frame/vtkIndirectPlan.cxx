@@ -141,7 +141,7 @@ void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
         "a headlight, by rays", "the eye sees what it lights; no shadow is visible");
       return;
     }
-    this->Senders = EYE;
+    this->Senders = HEADLIGHT;
     this->Modelled.emplace_back(
       "a headlight, from the geometry buffer", "the eye sees what it lights; no shadow is visible");
     this->LeftOut.emplace_back("senders outside the view", "the headlight has no map of its own");

@@ -90,7 +90,7 @@ struct vtkIndirectPlan
   {
     NO_SENDERS, // no vtkLight sends anything
     MAPS,       // surfaces that lights see, in their maps
-    EYE,        // surfaces that the eye sees, whose headlight is the only light
+    HEADLIGHT,  // surfaces that the eye sees, whose headlight is the only light
     RAYS        // surfaces that the sampler's rays meet; there are no maps
   };
 

@@ -4,8 +4,8 @@
 //
 // Handled elsewhere: background, gradient, texture, Erase and the layers' PreserveColorBuffer and
 // PreserveDepthBuffer, translucent props with UseDepthPeeling and UseDepthPeelingForVolumes,
-// UseFXAA (vtkIndirectView); UseImageBasedLighting (vtkIndirectImageLight). VTK's mappers light
-// both sides of a surface, whatever TwoSidedLighting is.
+// UseFXAA (vtkIndirectRendererWork); UseImageBasedLighting (vtkIndirectImageLight). VTK's mappers
+// light both sides of a surface, whatever TwoSidedLighting is.
 #pragma once
 
 #include <set>     // for warnings that were given

@@ -73,11 +73,11 @@ void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIn
     own ? own->GetAbilities() : vtkIndirectSamplerAbilities();
   this->Senders->Follow(abilities);
   vtkIndirectSampler::Pointer sampler = own;
-  if (sampler && plan.Senders == vtkIndirectPlan::EYE)
+  if (sampler && plan.Senders == vtkIndirectPlan::HEADLIGHT)
   {
-    vtkIndirectMapSampler* pattern = sampler->GetViewPattern();
+    vtkIndirectMapSampler* pattern = sampler->GetHeadlightPattern();
     this->Headlight->SetPattern(
-      pattern ? pattern : vtkIndirectSampler::Get(this->Default)->GetViewPattern());
+      pattern ? pattern : vtkIndirectSampler::Get(this->Default)->GetHeadlightPattern());
     sampler = this->Headlight;
   }
   if (sampler && plan.Senders != vtkIndirectPlan::NO_SENDERS)
@@ -145,12 +145,12 @@ bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIn
   input.Further = this->SendersAreWalked
     ? vtkIndirectSampler::Get(this->LaterBounces)->UpdateSenders(input)
     : nullptr;
-  // Measured in the living room and the Cornell box: with the whole reach a moving frame takes 8 to
-  // 13 % longer. The key of the irradiance tells moving frames from still ones where maps are
-  // looked up.
-  constexpr double reachOfMoving = 0.55;
+  // In the living room and the Cornell box a moving frame takes 8 to 13 % longer with whole child
+  // distances. The key of the irradiance tells moving frames from still ones where maps are looked
+  // up.
+  constexpr double scaleOfMoving = 0.55;
   const bool hasty = plan.Interactive && plan.Visibility == vtkIndirectVisibilityMaps;
-  this->Lights.SetChildReach(hasty ? reachOfMoving : 1.0);
+  this->Lights.SetChildDistanceScale(hasty ? scaleOfMoving : 1.0);
   return this->Samplers.empty() || this->Lights.Update(input, this->Samplers);
 }
 

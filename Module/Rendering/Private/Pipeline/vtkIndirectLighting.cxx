@@ -110,9 +110,9 @@ void vtkIndirectLighting::Update(
 //------------------------------------------------------------------------------
 // Collects the renderer's lamps. The list is empty unless all lights that are on are directional
 // and follow the camera.
-std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectLamps(vtkRenderer* renderer)
+std::vector<vtkIndirectDistantLight> vtkIndirectLighting::CollectLamps(vtkRenderer* renderer)
 {
-  std::vector<vtkIndirectLamp> lamps;
+  std::vector<vtkIndirectDistantLight> lamps;
   vtkCollectionSimpleIterator it;
   vtkLightCollection* lights = renderer->GetLights();
   lights->InitTraversal(it);
@@ -126,7 +126,7 @@ std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectLamps(vtkRenderer* rend
     {
       return {};
     }
-    vtkIndirectLamp lamp;
+    vtkIndirectDistantLight lamp;
     const double* color = light->GetDiffuseColor();
     lamp.Color = light->GetIntensity() * glm::dvec3(color[0], color[1], color[2]);
     if (light->LightTypeIsCameraLight())
@@ -151,9 +151,9 @@ std::vector<vtkIndirectLamp> vtkIndirectLighting::CollectLamps(vtkRenderer* rend
 //------------------------------------------------------------------------------
 // Finds the albedo of the lightest actor of one colour. Data and textures have many colours, which
 // together reflect less than the brightest one.
-vtkIndirectRigAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
+vtkIndirectPresetAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
 {
-  vtkIndirectRigAlbedo albedo;
+  vtkIndirectPresetAlbedo albedo;
   vtkCollectionSimpleIterator it;
   vtkActorCollection* actors = renderer->GetActors();
   actors->InitTraversal(it);
@@ -174,12 +174,12 @@ vtkIndirectRigAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLighting::SetRig(
-  int preset, const std::vector<vtkIndirectLamp>& lamps, const vtkIndirectRigAlbedo& albedo)
+void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectDistantLight>& lamps,
+  const vtkIndirectPresetAlbedo& albedo)
 {
   vtkIndirectKey key;
   key.Add("preset", preset).Add("albedo", albedo.Brightest).Add("albedo", albedo.Mean);
-  for (const vtkIndirectLamp& lamp : lamps)
+  for (const vtkIndirectDistantLight& lamp : lamps)
   {
     key.Add("lights", lamp.Direction).Add("lights", lamp.Color);
   }
@@ -219,14 +219,14 @@ void vtkIndirectLighting::SetRig(
   {
     this->AddLight(this->PresetLights.Key, false);
   }
-  for (const vtkIndirectLamp& fill : this->PresetLights.Fills)
+  for (const vtkIndirectDistantLight& fill : this->PresetLights.Fills)
   {
     this->AddLight(fill, true);
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLighting::AddLight(const vtkIndirectLamp& lamp, bool fill)
+void vtkIndirectLighting::AddLight(const vtkIndirectDistantLight& lamp, bool fill)
 {
   vtkNew<vtkLight> light;
   light->SetColor(lamp.Color.x, lamp.Color.y, lamp.Color.z);

@@ -38,11 +38,11 @@ public:
   static const char* GetTitle(int preset);
 
 private:
-  static std::vector<vtkIndirectLamp> CollectLamps(vtkRenderer* renderer);
-  static vtkIndirectRigAlbedo FindAlbedo(vtkRenderer* renderer);
-  void SetRig(
-    int preset, const std::vector<vtkIndirectLamp>& lamps, const vtkIndirectRigAlbedo& albedo);
-  void AddLight(const vtkIndirectLamp& lamp, bool fill);
+  static std::vector<vtkIndirectDistantLight> CollectLamps(vtkRenderer* renderer);
+  static vtkIndirectPresetAlbedo FindAlbedo(vtkRenderer* renderer);
+  void SetRig(int preset, const std::vector<vtkIndirectDistantLight>& lamps,
+    const vtkIndirectPresetAlbedo& albedo);
+  void AddLight(const vtkIndirectDistantLight& lamp, bool fill);
   void Turn(vtkRenderer* renderer);
 
   int Preset; // preset of the last frame

@@ -179,7 +179,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     vtkIndirectLightScope::Read(this->Frame.Renderer);
   }
   bool drawn = true;
-  if (this->Plan.Senders != vtkIndirectPlan::EYE)
+  if (this->Plan.Senders != vtkIndirectPlan::HEADLIGHT)
   {
     this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
     drawn =
@@ -528,7 +528,7 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
       ? "another pass has used its estimator since"
       : "the last frame computed no indirect light";
   }
-  return this->Plan.Senders == vtkIndirectPlan::EYE
+  return this->Plan.Senders == vtkIndirectPlan::HEADLIGHT
     ? "a single headlight is read from the geometry buffer and has no map"
     : "the frame has fewer lights";
 }

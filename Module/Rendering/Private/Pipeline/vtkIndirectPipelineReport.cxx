@@ -129,7 +129,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
       report.Modelled.end());
     report.LeftOut.emplace_back(name, this->Antialiasing.GetWhyNot());
   }
-  if (this->Plan.Senders != vtkIndirectPlan::EYE)
+  if (this->Plan.Senders != vtkIndirectPlan::HEADLIGHT)
   {
     this->Maps.AddToReport(report);
     this->Penumbra.AddToReport(report);

@@ -20,19 +20,19 @@ constexpr int ReadsPerBlockEdge = 8;
 vtkIndirectHintSenders::vtkIndirectHintSenders(vtkObject* caller)
   : Caller(caller)
 {
-  this->ViewPattern->SetNumberOfLights(1024);
+  this->HeadlightPattern->SetNumberOfLights(1024);
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectMapSampler* vtkIndirectHintSenders::GetViewPattern()
+vtkIndirectMapSampler* vtkIndirectHintSenders::GetHeadlightPattern()
 {
-  return vtkIndirectSampler::Get(this->ViewPattern)->GetViewPattern();
+  return vtkIndirectSampler::Get(this->HeadlightPattern)->GetHeadlightPattern();
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectSamplerAbilities vtkIndirectHintSenders::GetAbilities() const
 {
-  return vtkIndirectSampler::Get(this->ViewPattern)->GetAbilities();
+  return vtkIndirectSampler::Get(this->HeadlightPattern)->GetAbilities();
 }
 
 //------------------------------------------------------------------------------
@@ -80,6 +80,6 @@ bool vtkIndirectHintSenders::Update(const Input& input)
 void vtkIndirectHintSenders::ReleaseOwn(vtkWindow* window)
 {
   this->vtkIndirectSampler::ReleaseOwn(window);
-  this->ViewPattern->ReleaseGraphicsResources(window);
+  this->HeadlightPattern->ReleaseGraphicsResources(window);
   this->MapTime = 0;
 }

@@ -19,7 +19,7 @@ public:
 
   bool Update(const Input& input) override;
   /** The headlight's map has no blocks: it gets more lights than usual, as many as another map. */
-  vtkIndirectMapSampler* GetViewPattern() override;
+  vtkIndirectMapSampler* GetHeadlightPattern() override;
   vtkIndirectSamplerAbilities GetAbilities() const override;
 
 protected:
@@ -28,7 +28,7 @@ protected:
 private:
   vtkObject* Caller;
   int BlocksPerEdge = 24;
-  vtkNew<vtkUniformLightSampler> ViewPattern;
+  vtkNew<vtkUniformLightSampler> HeadlightPattern;
   vtkIndirectFullScreenProgram Program{ this, "vtkIndirectHintSendersFS.glsl" };
   // Inputs of the current lights.
   vtkMTimeType MapTime = 0;

@@ -18,5 +18,5 @@ public:
 private:
   vtkIndirectMapSampler* Pattern = nullptr;
   vtkIndirectPatternTexture Texture{ this };
-  vtkIndirectFullScreenProgram Program{ this, "vtkIndirectCameraLightFS.glsl" };
+  vtkIndirectFullScreenProgram Program{ this, "vtkIndirectHeadlightFS.glsl" };
 };

@@ -72,7 +72,7 @@ public:
   virtual Drawing GetDrawing() const { return {}; }
 
   bool Update(const Input& input) override;
-  vtkIndirectMapSampler* GetViewPattern() override { return this; }
+  vtkIndirectMapSampler* GetHeadlightPattern() override { return this; }
 
 private:
   bool DrawLobes(const Input& input, bool warped);

@@ -54,11 +54,11 @@ constexpr double Everywhere = 0.15;
 // at the height of the viewer's eyes, because surfaces that face up are dim in a headlight, too:
 // with a key from 50 degrees above, like that of vtkLightKit, terrain and tables would be a third
 // brighter than plain VTK's.
-std::vector<vtkIndirectLamp> MakeKit(const glm::dvec3& color)
+std::vector<vtkIndirectDistantLight> MakeKit(const glm::dvec3& color)
 {
   auto lamp = [&color](double elevation, double azimuth, double strength)
   {
-    return vtkIndirectLamp{ vtkIndirectPresetLights::FromAngles(elevation, azimuth),
+    return vtkIndirectDistantLight{ vtkIndirectPresetLights::FromAngles(elevation, azimuth),
       strength * color };
   };
   return { lamp(5.0, -30.0, 0.6), lamp(0.0, 30.0, 0.4), lamp(0.0, 110.0, 0.2),
@@ -70,7 +70,7 @@ double GetMean(const glm::dvec3& color)
   return (color.x + color.y + color.z) / 3.0;
 }
 
-bool IsHeadlight(const vtkIndirectLamp& lamp)
+bool IsHeadlight(const vtkIndirectDistantLight& lamp)
 {
   return lamp.Direction == glm::dvec3(0.0, 0.0, 1.0);
 }
@@ -78,11 +78,12 @@ bool IsHeadlight(const vtkIndirectLamp& lamp)
 // Gives the sky the lamps' irradiance through a sphere, summed over all directions (scalar), and
 // their net irradiance (vector): the first two bands of spherical harmonics, as far as a lobe and
 // light from everywhere can have them. Light narrower than a lobe becomes a lobe.
-void SetSky(vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectLamp>& lamps)
+void SetSky(
+  vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectDistantLight>& lamps)
 {
   glm::dvec3 scalar(0.0);
   glm::dmat3 vector(0.0); // a column a colour
-  for (const vtkIndirectLamp& lamp : lamps)
+  for (const vtkIndirectDistantLight& lamp : lamps)
   {
     scalar += lamp.Color;
     vector += glm::outerProduct(lamp.Direction, lamp.Color);
@@ -102,9 +103,10 @@ void SetSky(vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirect
 
 // Makes each lamp a lobe in its direction. A lamp from the viewer stays sharp, because its shadows
 // are not visible.
-void SetLobes(vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectLamp>& lamps)
+void SetLobes(
+  vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectDistantLight>& lamps)
 {
-  for (const vtkIndirectLamp& lamp : lamps)
+  for (const vtkIndirectDistantLight& lamp : lamps)
   {
     if (IsHeadlight(lamp))
     {
@@ -118,13 +120,13 @@ void SetLobes(vtkIndirectPresetLights& presetLights, const std::vector<vtkIndire
 }
 
 // Takes the brightest lamp of those that do not come from the viewer.
-vtkIndirectLamp TakeKey(std::vector<vtkIndirectLamp>& lamps)
+vtkIndirectDistantLight TakeKey(std::vector<vtkIndirectDistantLight>& lamps)
 {
   const auto key = std::max_element(lamps.begin(), lamps.end(),
     [](const auto& a, const auto& b) {
       return (IsHeadlight(a) ? 0.0 : GetMean(a.Color)) < (IsHeadlight(b) ? 0.0 : GetMean(b.Color));
     });
-  const vtkIndirectLamp found = *key;
+  const vtkIndirectDistantLight found = *key;
   lamps.erase(key);
   return found;
 }
@@ -137,7 +139,7 @@ void Scale(vtkIndirectPresetLights& presetLights, double factor)
   {
     lobe.Lamp.Color *= factor;
   }
-  for (vtkIndirectLamp& fill : presetLights.Fills)
+  for (vtkIndirectDistantLight& fill : presetLights.Fills)
   {
     fill.Color *= factor;
   }
@@ -152,7 +154,7 @@ struct Exchange
 };
 
 Exchange FindExchange(
-  const Balance& balance, double share, const vtkIndirectRigAlbedo& albedo, double most)
+  const Balance& balance, double share, const vtkIndirectPresetAlbedo& albedo, double most)
 {
   Exchange found = { share, share / balance.Openness };
   const double gain = 1.0 / (1.0 - std::min(albedo.Mean, 1.0) * balance.Facing);
@@ -173,14 +175,14 @@ Exchange FindExchange(
 }
 
 // Adds a share of the lamps unchanged. Lamps in the same direction become one light.
-void Keep(
-  vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectLamp>& lamps, double share)
+void Keep(vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectDistantLight>& lamps,
+  double share)
 {
-  for (const vtkIndirectLamp& lamp : lamps)
+  for (const vtkIndirectDistantLight& lamp : lamps)
   {
-    const vtkIndirectLamp kept = { lamp.Direction, share * lamp.Color };
+    const vtkIndirectDistantLight kept = { lamp.Direction, share * lamp.Color };
     const auto same = std::find_if(presetLights.Fills.begin(), presetLights.Fills.end(),
-      [&kept](const vtkIndirectLamp& fill) { return fill.Direction == kept.Direction; });
+      [&kept](const vtkIndirectDistantLight& fill) { return fill.Direction == kept.Direction; });
     if (same != presetLights.Fills.end())
     {
       same->Color += kept.Color;
@@ -225,7 +227,7 @@ glm::dvec3 vtkIndirectPresetLights::GetRadiance(const glm::dvec3& direction) con
 }
 
 //------------------------------------------------------------------------------
-double vtkIndirectPresetLights::GetIrradianceOfBall(const vtkIndirectLamp& lamp)
+double vtkIndirectPresetLights::GetIrradianceOfBall(const vtkIndirectDistantLight& lamp)
 {
   const double cosine = vtkMath::ClampValue(lamp.Direction.z, -1.0, 1.0);
   const double angle = std::acos(cosine);
@@ -237,7 +239,7 @@ double vtkIndirectPresetLights::GetIrradianceOfBall(const vtkIndirectLamp& lamp)
 double vtkIndirectPresetLights::GetIrradianceOfBall() const
 {
   double sum = this->Key.Color != glm::dvec3(0.0) ? GetIrradianceOfBall(this->Key) : 0.0;
-  for (const vtkIndirectLamp& fill : this->Fills)
+  for (const vtkIndirectDistantLight& fill : this->Fills)
   {
     sum += GetIrradianceOfBall(fill);
   }
@@ -261,19 +263,20 @@ double vtkIndirectPresetLights::GetIrradianceOfBall() const
 }
 
 //------------------------------------------------------------------------------
-double vtkIndirectPresetLights::FindMostIrradiance(const std::vector<vtkIndirectLamp>& lamps)
+double vtkIndirectPresetLights::FindMostIrradiance(
+  const std::vector<vtkIndirectDistantLight>& lamps)
 {
   // A surface with the greatest irradiance faces the sum of the lamps that it sees, weighted by
   // their light. Turning from a lamp's direction to that sum never reduces the irradiance, and few
   // turns suffice.
   double most = 0.0;
-  for (const vtkIndirectLamp& first : lamps)
+  for (const vtkIndirectDistantLight& first : lamps)
   {
     glm::dvec3 normal = first.Direction;
     for (int turn = 0; turn < 16; ++turn)
     {
       glm::dvec3 sum(0.0);
-      for (const vtkIndirectLamp& lamp : lamps)
+      for (const vtkIndirectDistantLight& lamp : lamps)
       {
         sum += glm::dot(lamp.Direction, normal) > 0.0 ? GetMean(lamp.Color) * lamp.Direction
                                                       : glm::dvec3(0.0);
@@ -288,7 +291,7 @@ double vtkIndirectPresetLights::FindMostIrradiance(const std::vector<vtkIndirect
 
 //------------------------------------------------------------------------------
 vtkIndirectPresetLights vtkIndirectPresetLights::Make(
-  int preset, std::vector<vtkIndirectLamp> lamps, const vtkIndirectRigAlbedo& albedo)
+  int preset, std::vector<vtkIndirectDistantLight> lamps, const vtkIndirectPresetAlbedo& albedo)
 {
   if (lamps.empty())
   {
@@ -308,11 +311,11 @@ vtkIndirectPresetLights vtkIndirectPresetLights::Make(
   else
   {
     glm::dvec3 color(0.0);
-    for (const vtkIndirectLamp& lamp : lamps)
+    for (const vtkIndirectDistantLight& lamp : lamps)
     {
       color += lamp.Color;
     }
-    std::vector<vtkIndirectLamp> kit = headlight ? MakeKit(color) : lamps;
+    std::vector<vtkIndirectDistantLight> kit = headlight ? MakeKit(color) : lamps;
     if (preset == vtkIndirectLightingFull)
     {
       presetLights.Key = TakeKey(kit);
@@ -320,7 +323,7 @@ vtkIndirectPresetLights vtkIndirectPresetLights::Make(
     SetLobes(presetLights, kit);
   }
   double plain = 0.0;
-  for (const vtkIndirectLamp& lamp : lamps)
+  for (const vtkIndirectDistantLight& lamp : lamps)
   {
     plain += GetIrradianceOfBall(lamp);
   }

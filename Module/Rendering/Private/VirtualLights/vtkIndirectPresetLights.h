@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The lights of a preset, in the axes of the camera: x to the right, y up, z to the viewer. They
-// holds no VTK objects.
+// hold no VTK objects.
 //
 // Light without a place and without hard shadows is radiance of a sky: uniform radiance from
 // everywhere, and lobes of a power of the cosine. A lobe is given by the irradiance of a surface
@@ -23,7 +23,7 @@
 #include <vector>      // for lists
 
 /** A light from infinitely far away. */
-struct vtkIndirectLamp
+struct vtkIndirectDistantLight
 {
   glm::dvec3 Direction{ 0.0, 0.0, 1.0 }; // to the light, unit
   glm::dvec3 Color{ 0.0 };               // VTK irradiance of a surface that faces it
@@ -33,7 +33,7 @@ struct vtkIndirectLamp
  * The albedo of the surfaces that the lights shine on, as far as their colours are known; zero:
  * unknown.
  */
-struct vtkIndirectRigAlbedo
+struct vtkIndirectPresetAlbedo
 {
   double Brightest = 0.0; // greatest of all channels, which may become white
   double Mean = 0.0;      // of red, green and blue, of the lightest surface: for bounces
@@ -43,15 +43,15 @@ struct vtkIndirectPresetLights
 {
   struct Lobe
   {
-    vtkIndirectLamp Lamp;
+    vtkIndirectDistantLight Lamp;
     double Exponent = 1.0; // exponent of the cosine; 0: uniform radiance from a hemisphere
   };
 
   glm::dvec3 Ambient{ 0.0 }; // radiance from everywhere
   std::vector<Lobe> Lobes;
-  vtkIndirectLamp Key;                // sharp; black: none
-  double KeyShadow = 1.0;             // share of the key that shadows remove
-  std::vector<vtkIndirectLamp> Fills; // sharp, without shadows
+  vtkIndirectDistantLight Key;                // sharp; black: none
+  double KeyShadow = 1.0;                     // share of the key that shadows remove
+  std::vector<vtkIndirectDistantLight> Fills; // sharp, without shadows
 
   /** Returns the radiance of the sky: ambient light and lobes. */
   glm::dvec3 GetRadiance(const glm::dvec3& direction) const;
@@ -64,16 +64,16 @@ struct vtkIndirectPresetLights
    * Returns the same for a lamp: (2 / 3 pi) (sin a + (pi - a) cos a), at an angle a from the
    * camera.
    */
-  static double GetIrradianceOfBall(const vtkIndirectLamp& lamp);
+  static double GetIrradianceOfBall(const vtkIndirectDistantLight& lamp);
 
   /**
    * Makes the lights of a preset (vtkIndirectLightingType). lamps: the renderer's own lights that
    * follow its camera; an empty list means a headlight of strength 1, as VTK makes it.
    */
-  static vtkIndirectPresetLights Make(int preset, std::vector<vtkIndirectLamp> lamps,
-    const vtkIndirectRigAlbedo& albedo = vtkIndirectRigAlbedo());
+  static vtkIndirectPresetLights Make(int preset, std::vector<vtkIndirectDistantLight> lamps,
+    const vtkIndirectPresetAlbedo& albedo = vtkIndirectPresetAlbedo());
   /** Returns the greatest irradiance that lamps give a surface of any direction. */
-  static double FindMostIrradiance(const std::vector<vtkIndirectLamp>& lamps);
+  static double FindMostIrradiance(const std::vector<vtkIndirectDistantLight>& lamps);
   /** Returns the direction for angles in degrees, as in vtkLight::SetDirectionAngle. */
   static glm::dvec3 FromAngles(double elevation, double azimuth);
 };

@@ -132,7 +132,7 @@ public:
    * Makes the pattern that draws lights from the surfaces that the eye sees, for a headlight that
    * is the only light; null: the pipeline's own pattern is used.
    */
-  virtual vtkIndirectMapSampler* GetViewPattern() { return nullptr; }
+  virtual vtkIndirectMapSampler* GetHeadlightPattern() { return nullptr; }
   /** Adds the sources of the last frame's lights to the report. Default: nothing. */
   virtual void AddToReport(vtkIndirectReport&) const {}
 

@@ -197,7 +197,7 @@ void vtkIndirectVirtualLights::ActivateBranches(const vtkIndirectProgram& progra
     this->CurrentBranches->Activate(0, program, "vtkiBranchPosition");
     this->CurrentBranches->Activate(1, program, "vtkiBranchNormal");
     this->CurrentBranches->Activate(2, program, "vtkiBranchDensity");
-    program->SetUniformf("vtkiChildReach", this->ChildReach);
+    program->SetUniformf("vtkiChildDistanceScale", this->ChildDistanceScale);
   }
 }
 

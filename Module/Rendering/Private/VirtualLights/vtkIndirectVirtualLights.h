@@ -32,7 +32,7 @@ public:
   /**
    * Sets the share of their child distance within which nodes above leaves are divided. Default: 1.
    */
-  void SetChildReach(double reach) { this->ChildReach = static_cast<float>(reach); }
+  void SetChildDistanceScale(double scale) { this->ChildDistanceScale = static_cast<float>(scale); }
 
   /** Returns true if the samplers' lights are still those of the last update. */
   bool AreThere() const;
@@ -103,7 +103,7 @@ private:
   const vtkIndirectTarget* CurrentBranches = nullptr;
   const vtkIndirectTarget* CurrentLobes = nullptr;
   int NumberOfLights = 0;
-  float ChildReach = 1.0f;
+  float ChildDistanceScale = 1.0f;
   bool WithDirections = false;
   std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> Contents; // samplers of the last
                                                                       // update, and their times

@@ -12,7 +12,7 @@ uniform sampler2D vtkiBranchPosition;
 uniform sampler2D vtkiBranchNormal;
 uniform sampler2D vtkiBranchDensity;
 
-uniform float vtkiChildReach; // times the child distances of nodes above leaves
+uniform float vtkiChildDistanceScale; // times the child distances of nodes above leaves
 
 // Share of a cluster's light that comes from its branches: all within eight tenths of its child distance,
 // none beyond it.
@@ -72,7 +72,7 @@ float vtkiShareOfBranches(vtkiSight sight, vec3 facet, vec3 toSender, float seen
 float vtkiDivisionOfChild(vec3 normal, vec3 toSender, vec3 senderNormal, float childDistance)
 {
   return vtkiMayLight(normal, toSender, senderNormal, childDistance)
-    ? vtkiDivision(dot(toSender, toSender), vtkiChildReach * childDistance)
+    ? vtkiDivision(dot(toSender, toSender), vtkiChildDistanceScale * childDistance)
     : 0.0f;
 }
 

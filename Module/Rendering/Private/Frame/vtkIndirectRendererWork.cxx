@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/vtkIndirectGL.h"
 
-#include "Frame/vtkIndirectView.h"
+#include "Frame/vtkIndirectRendererWork.h"
 
 #include "Frame/vtkIndirectPropKind.h"
 #include "vtkCamera.h"
@@ -38,11 +38,11 @@ bool HasFXAA(const vtkRenderState* s)
 }
 }
 
-vtkIndirectView::vtkIndirectView() = default;
-vtkIndirectView::~vtkIndirectView() = default;
+vtkIndirectRendererWork::vtkIndirectRendererWork() = default;
+vtkIndirectRendererWork::~vtkIndirectRendererWork() = default;
 
 //------------------------------------------------------------------------------
-bool vtkIndirectView::Begin(const vtkRenderState* s)
+bool vtkIndirectRendererWork::Begin(const vtkRenderState* s)
 {
   vtkRenderer* renderer = s->GetRenderer();
   if (!renderer->IsActiveCameraCreated())
@@ -76,7 +76,7 @@ bool vtkIndirectView::Begin(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectView::FindAntialiasing(const vtkRenderState* s, bool remaining)
+std::string vtkIndirectRendererWork::FindAntialiasing(const vtkRenderState* s, bool remaining)
 {
   if (remaining && HasFXAA(s))
   {
@@ -95,7 +95,7 @@ std::string vtkIndirectView::FindAntialiasing(const vtkRenderState* s, bool rema
 }
 
 //------------------------------------------------------------------------------
-int vtkIndirectView::RenderFlat(const vtkRenderState* s)
+int vtkIndirectRendererWork::RenderFlat(const vtkRenderState* s)
 {
   int drawn = 0;
   for (int i = 0; i < s->GetPropArrayCount(); ++i)
@@ -109,7 +109,7 @@ int vtkIndirectView::RenderFlat(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-int vtkIndirectView::RenderRemaining(const vtkRenderState* s)
+int vtkIndirectRendererWork::RenderRemaining(const vtkRenderState* s)
 {
   auto* renderer = vtkOpenGLRenderer::SafeDownCast(s->GetRenderer());
   vtkProp** props = s->GetPropArray();
@@ -148,7 +148,7 @@ int vtkIndirectView::RenderRemaining(const vtkRenderState* s)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectView::Release(vtkWindow* window)
+void vtkIndirectRendererWork::Release(vtkWindow* window)
 {
   this->Lights->ReleaseGraphicsResources(window);
   if (this->FXAA)

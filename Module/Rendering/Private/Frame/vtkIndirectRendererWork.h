@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The work of a renderer without a pass before and after it draws its opaque props.
+// Does the work that a renderer without a pass does before and after its opaque props.
 #pragma once
 
 #include "vtkNew.h"          // for members
@@ -12,11 +12,11 @@ class vtkOpenGLFXAAFilter;
 class vtkRenderState;
 class vtkWindow;
 
-class vtkIndirectView
+class vtkIndirectRendererWork
 {
 public:
-  vtkIndirectView();
-  ~vtkIndirectView();
+  vtkIndirectRendererWork();
+  ~vtkIndirectRendererWork();
 
   /**
    * Sets up viewport, scissor, background (as vtkCameraPass) and the lights (as vtkLightsPass).
