@@ -168,7 +168,7 @@ std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, doubl
   }
   Given level;
   level.Error = error;
-  const std::string wrong = Read(mesh, level);
+  std::string wrong = Read(mesh, level);
   if (!wrong.empty())
   {
     return wrong;
