@@ -28,7 +28,8 @@ std::string GetRow(const vtkIndirectLightConstants::Group& group, size_t light, 
   return GetName(group) + "_" + std::to_string(light) + "_" + std::to_string(row);
 }
 
-// Shader expression that chooses among the values of several lights by the loop's index.
+// Returns the shader expression that chooses among the values of several lights by the loop's
+// index.
 std::string Choose(const std::vector<std::string>& values)
 {
   std::string text = values.back();

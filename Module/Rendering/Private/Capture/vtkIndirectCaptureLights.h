@@ -19,7 +19,9 @@ public:
   /** Takes the frame's lights, and the maps for their shadows, or null. */
   void Update(const vtkIndirectFrame& frame, const vtkIndirectShadowMaps* shadows);
 
-  /** Name of VTK's cosine of the cone's angle, which its own code takes at every pixel. */
+  /**
+   * Returns the name of VTK's cosine of the cone's angle, which its own code takes at every pixel.
+   */
   static std::string GetConeCosine(int light) { return "vtkiConeCosine" + std::to_string(light); }
 
   /**

@@ -21,7 +21,7 @@ struct vtkIndirectCaptureText
    * has written its own text.
    */
   static void Prepare(std::string& fragmentShader);
-  /** True if a shader has the text already. */
+  /** Returns true if a shader has the text already. */
   static bool IsAdded(const std::string& fragmentShader);
   /** Adds the text to shaders that are prepared and otherwise complete. */
   void Add(

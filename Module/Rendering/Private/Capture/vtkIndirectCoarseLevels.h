@@ -41,8 +41,8 @@ public:
   void Update(vtkIndirectFrame& frame);
 
   /**
-   * The levels that a user has given for a prop, in one part, or the parts of its dense mesh, which
-   * are made on the first call. Null: the mesh itself is drawn. For props that
+   * Returns the levels that a user has given for a prop, in one part, or the parts of its dense
+   * mesh, which are made on the first call. Null: the mesh itself is drawn. For props that
    * vtkIndirectDepthDrawer can draw.
    */
   vtkIndirectMeshParts* Find(vtkProp* prop);

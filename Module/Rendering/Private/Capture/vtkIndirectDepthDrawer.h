@@ -26,14 +26,14 @@ public:
   ~vtkIndirectDepthDrawer() override;
 
   /**
-   * True if this draws the same depth as the prop's mapper, and the mapper's buffers are current:
-   * it has drawn since its data last changed.
+   * Returns true if this draws the same depth as the prop's mapper, and the mapper's buffers are
+   * current: it has drawn since its data last changed.
    */
   static bool CanDraw(vtkProp* prop);
 
-  /** The polygons that such a prop draws; null for other props. */
+  /** Returns the polygons that such a prop draws; null for other props. */
   static vtkPolyData* FindMesh(vtkProp* prop);
-  /** Number of triangles of a prop for which CanDraw is true. */
+  /** Returns the number of triangles of a prop for which CanDraw is true. */
   static size_t CountTriangles(vtkProp* prop);
   /** These triangles, by numbers of the mesh's points, or none if the mapper numbers them
    * otherwise. */

@@ -61,7 +61,10 @@ public:
     const vtkRenderState* s, const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture);
 
   const vtkIndirectTarget& GetTarget() const { return *this->Target; }
-  /** True if the lit texels of the last frame hold the albedo, in place of a channel of its own. */
+  /**
+   * Returns true if the lit texels of the last frame hold the albedo, in place of a channel of its
+   * own.
+   */
   bool HasAlbedoInLit() const { return IsAlbedoInLit(this->NumberOfChannels); }
   /** Definitions for shaders that include vtkIndirectAlbedo.glsl. */
   const char* GetAlbedoDefinitions() const
@@ -71,16 +74,16 @@ public:
   void ActivateAlbedo(const vtkIndirectProgram& program) const;
   /** Sets the eye's uniforms and binds the surfaces, for programs that compute light on them. */
   void ActivateReceivers(const vtkIndirectProgram& program, const vtkIndirectFrame& frame) const;
-  /** True if the buffer may hold encoded colours. */
+  /** Returns true if the buffer may hold encoded colours. */
   bool HasEncoded() const { return this->Encoded; }
-  /** True if the last frame has the channel Specular. */
+  /** Returns true if the last frame has the channel Specular. */
   bool HasSpecular() const { return this->NumberOfChannels > Specular; }
 
   int GetNumberOfRenderedProps() const { return this->NumberOfRenderedProps; }
 
 private:
-  // True if a depth of one can only be the cleared value, but for a sliver in front of the far
-  // plane.
+  // Returns true if a depth of one can only be the cleared value, but for a sliver in front of the
+  // far plane.
   bool DepthTellsBackground(const vtkIndirectFrame& frame) const;
   // Clears all pixels, or those whose depth is the cleared value. Returns false if OpenGL refuses.
   bool Clear(vtkOpenGLRenderWindow* window, bool background);

@@ -14,7 +14,7 @@ struct vtkIndirectGeometryChannels
     Specular
   };
 
-  /** True if a buffer with this number of channels has the albedo in its lit texels. */
+  /** Returns true if a buffer with this number of channels has the albedo in its lit texels. */
   static bool IsAlbedoInLit(int channels) { return channels == Albedo; }
 
   /**

@@ -22,8 +22,8 @@ public:
   bool Update(const vtkIndirectFrame& frame, bool shadows);
 
   /**
-   * Local variables that hide VTK's uniforms in `fragmentShader`, for the place in front of its
-   * light code. Only uniforms that the shader declares are hidden.
+   * Returns the local variables that hide VTK's uniforms in `fragmentShader`, for the place in
+   * front of its light code. Only uniforms that the shader declares are hidden.
    */
   std::string GetDeclarations(const std::string& fragmentShader) const;
 
@@ -45,7 +45,7 @@ public:
   /** All lights that cast shadows; empty without shadow look-ups. */
   const std::vector<Group>& GetGroups() const { return this->Groups; }
 
-  /** True if the shadows of any light have penumbrae. */
+  /** Returns true if the shadows of any light have penumbrae. */
   bool HasPenumbrae() const;
 
 private:

@@ -38,8 +38,8 @@ struct vtkIndirectMeshParts
     int FindLevel(double mostError) const;
   };
 
-  /** Positions relative to Middle, each followed by its inset: the way by which the point is drawn
-   * farther from the emitter, or its opposite. */
+  /** These are the positions relative to Middle, each followed by its inset: the way by which the
+   * point is drawn farther from the emitter, or its opposite. */
   std::vector<float> Points;
   static constexpr size_t FloatsOfPoint = 6;
   std::vector<unsigned int> Indices;

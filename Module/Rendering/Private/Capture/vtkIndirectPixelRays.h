@@ -10,7 +10,8 @@
 
 struct vtkIndirectPixelRays
 {
-  // Tangents (perspective) or places in scene units (parallel): gl_FragCoord times xy plus zw.
+  // These are the tangents (perspective) or places in scene units (parallel): gl_FragCoord times xy
+  // plus zw.
   glm::vec4 Pixels{ 1.0f };
   glm::vec3 Meet{ 0.0f }; // where all rays of a perspective meet, scene units
 

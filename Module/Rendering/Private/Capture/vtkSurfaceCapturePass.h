@@ -62,12 +62,12 @@ public:
    */
   vtkGetMacro(NumberOfShaderBuilds, vtkIdType);
 
-  /** The contents of the outputs that mappers write; a change rebuilds shaders. */
+  /** These are the contents of the outputs that mappers write; a change rebuilds shaders. */
   struct Outputs
   {
     bool Shadows = true; // mappers look up shadows
-    // The specular colour and power, as a third output of the eye's stage and of light maps; in
-    // light maps also F0 and minus the roughness of VTK's PBR.
+    // This is the specular colour and power, as a third output of the eye's stage and of light
+    // maps; in light maps also F0 and minus the roughness of VTK's PBR.
     bool Specular = false;
     bool SpecularOfPBR = false; // F0 and minus the roughness in the eye's stage, too; else zero
     bool MapsOnly = false;      // programs draw maps alone, and compute no light of the view
@@ -129,9 +129,12 @@ public:
   void BeginMap(const vtkIndirectFrame& frame, const vtkIndirectMapView& map);
   /** Ends a stage; unbinds its textures. */
   void EndStage();
-  /** True if the last stage drew physically based materials, whose colours are encoded. */
+  /** Returns true if the last stage drew physically based materials, whose colours are encoded. */
   bool HasEncoded() const;
-  /** True if attached props were drawn into another framebuffer in the last stage from the eye. */
+  /**
+   * Returns true if attached props were drawn into another framebuffer in the last stage from the
+   * eye.
+   */
   bool IsRedirected() const;
 
 protected:

@@ -53,11 +53,11 @@ public:
     bool DepthDrawn;   // the bound framebuffer has the depth of the frame's opaque props
   };
 
-  /** Index of a channel of the frame, or -1. */
+  /** Returns the index of a channel of the frame, or -1. */
   static int FindChannel(const std::string& name);
-  /** Map and channel (0 depth, 1 normal, 2 density) of a name such as rsm0.depth. */
+  /** Returns the map and channel (0 depth, 1 normal, 2 density) of a name such as rsm0.depth. */
   static bool ParseMapChannel(const std::string& name, int& map, int& channel);
-  /** Names accepted by FindChannel and ParseMapChannel, for messages. */
+  /** Returns the names accepted by FindChannel and ParseMapChannel, for messages. */
   static std::string GetChannelNames();
   /** Prints a line for each channel: name, meaning, unit, number of components. */
   static void PrintChannels(std::ostream& os, vtkIndent indent);

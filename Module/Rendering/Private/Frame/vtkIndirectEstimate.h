@@ -20,7 +20,7 @@ class vtkIndirectLightMaps;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 
-/** The data that an estimator needs from the visibility stage. */
+/** This is the data that an estimator needs from the visibility stage. */
 struct vtkIndirectVisibilityNeeds
 {
   bool Senders = false;  // obstacles between receivers and senders hide the senders
@@ -34,11 +34,11 @@ struct vtkIndirectVisibilityNeeds
   bool IsAny() const { return this->Senders || this->Volume || this->Exact; }
   bool HasVolume() const { return (this->Senders && !this->Maps) || this->Volume; }
   bool HasSurfaces() const { return this->Surfaces || this->Exact; }
-  /** True if shaders test segments against lists of spheres, which voxels do not hold. */
+  /** Returns true if shaders test segments against lists of spheres, which voxels do not hold. */
   bool HasSphereLists() const { return this->Segments && !this->Maps; }
 };
 
-/** The input of an estimator. All of it is valid for this frame, and read only. */
+/** This is the input of an estimator. All of it is valid for this frame, and read only. */
 struct vtkIndirectEstimateInput
 {
   const vtkIndirectFrame& Frame;
@@ -66,22 +66,26 @@ struct vtkIndirectEstimate
   StateType State = FAILED;
 
   /**
-   * Irradiance over Unit: a value for every pixel, or for pixels of mixed cells if there is Coarse.
+   * This is the irradiance over Unit: a value for every pixel, or for pixels of mixed cells if
+   * there is Coarse.
    */
   const vtkIndirectTarget* Irradiance = nullptr;
   /**
-   * Irradiance at every few pixels from border to border, null if each pixel has a value of its
-   * own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth component is
-   * the kind of the cell of pixels whose first corner is the sample: VTKI_CELL_EMPTY, _WHOLE or
-   * _MIXED.
+   * This is the irradiance at every few pixels from border to border, null if each pixel has a
+   * value of its own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth
+   * component is the kind of the cell of pixels whose first corner is the sample: VTKI_CELL_EMPTY,
+   * _WHOLE or _MIXED.
    */
   const vtkIndirectReceiverGrid* Coarse = nullptr;
-  /** Radiance that lobes of a specular coefficient of one reflect, over Unit; null for none. */
+  /**
+   * This is the radiance that lobes of a specular coefficient of one reflect, over Unit; null for
+   * none.
+   */
   const vtkIndirectTarget* Glossy = nullptr;
   ///@{
   /**
-   * VTK irradiance that comes directly from the environment, and the irradiance that surfaces
-   * reflect of the environment's light, in one channel of an image; null for none.
+   * This is the VTK irradiance that comes directly from the environment, and the irradiance that
+   * surfaces reflect of the environment's light, in one channel of an image; null for none.
    */
   const vtkIndirectTarget* Sky = nullptr;
   const vtkIndirectTarget* SkyBounce = nullptr;
@@ -89,13 +93,13 @@ struct vtkIndirectEstimate
   ///@}
   ///@{
   /**
-   * VTK irradiance that comes directly from area lights, and the radiance that receivers reflect
-   * specularly from them; null for none.
+   * This is the VTK irradiance that comes directly from area lights, and the radiance that
+   * receivers reflect specularly from them; null for none.
    */
   const vtkIndirectTarget* Area = nullptr;
   const vtkIndirectTarget* AreaGlossy = nullptr;
   ///@}
-  /** VTK irradiance of a stored value of one. */
+  /** This is the VTK irradiance of a stored value of one. */
   double Unit = 1.0;
   /**
    * RMS error of the irradiance over its mean, as estimated by the estimator; negative: unknown.

@@ -42,19 +42,21 @@ struct vtkIndirectLight
   bool Headlight = false;
   double ShadowAttenuation = 1.0;
   /**
-   * The light's size: radius in world units of a positional light, else angular radius in radians;
-   * 0: a point or a single direction, whose shadows are hard.
+   * This is the light's size: radius in world units of a positional light, else angular radius in
+   * radians; 0: a point or a single direction, whose shadows are hard.
    */
   double Size = 0.0;
   /**
-   * True if it lights all surfaces that face it, hidden or not, as VTK's own lights do: it has no
-   * map, and its light is not reflected.
+   * It is true if it lights all surfaces that face it, hidden or not, as VTK's own lights do: it
+   * has no map, and its light is not reflected.
    */
   bool Fill = false;
-  /** False if one of VTK's numbers is not finite: the light counts as dark, and has no place. */
+  /**
+   * It is false if one of VTK's numbers is not finite: the light counts as dark, and has no place.
+   */
   bool Finite = true;
 
-  /** Largest half angle, in degrees, that one perspective face of a map covers. */
+  /** This is the largest half angle, in degrees, that one perspective face of a map covers. */
   static constexpr double MaximumSingleFaceAngle = 60.0;
   /**
    * Returns the projection VTKI_MAP_... of the light's map; VTKI_MAP_FACES where the projection
@@ -65,7 +67,7 @@ struct vtkIndirectLight
   void AppendTo(vtkIndirectKey& key) const;
 };
 
-/** A prop that casts shadows and reflects light. */
+/** This is a prop that casts shadows and reflects light. */
 struct vtkIndirectCaster
 {
   vtkProp* Prop = nullptr;
@@ -117,7 +119,7 @@ struct vtkIndirectFrame
    * The renderer's own lights, for props without a surface; null: Lights are the renderer's own.
    */
   vtkLightCollection* ReplacedLights = nullptr;
-  /** Props that take no part, or only a partial one, and the reasons. */
+  /** These are the props that take no part, or only a partial one, and the reasons. */
   struct LeftOutEntry
   {
     std::string What;

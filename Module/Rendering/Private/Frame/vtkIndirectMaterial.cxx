@@ -27,7 +27,7 @@ double ReadComponent(vtkDataArray* array, vtkIdType at, int component)
   return at >= 0 && at < array->GetNumberOfTuples() ? array->GetComponent(at, component) : 0.0;
 }
 
-// True if the actor's keys transform the coordinates of its textures.
+// Returns true if the actor's keys transform the coordinates of its textures.
 bool TransformsCoordinates(vtkActor* actor)
 {
   vtkInformation* keys = actor->GetPropertyKeys();
@@ -38,7 +38,7 @@ bool TransformsCoordinates(vtkActor* actor)
 #endif
 }
 
-// True if the user's shader code may set the colour: vertex shaders only set places.
+// Returns true if the user's shader code may set the colour: vertex shaders only set places.
 bool HasShaderCode(vtkActor* actor)
 {
   vtkShaderProperty* shaders = actor->GetShaderProperty();
@@ -57,7 +57,7 @@ vtkTexture* FindTexture(vtkProperty* property, const std::string& name)
   return at == all.end() ? nullptr : at->second;
 }
 
-// True for textures that VTK's Phong shading does not use as a colour.
+// Returns true for textures that VTK's Phong shading does not use as a colour.
 bool IsOfPBR(const std::string& name)
 {
   static const char* const names[] = { "albedoTex", "normalTex", "materialTex", "brdfTex",

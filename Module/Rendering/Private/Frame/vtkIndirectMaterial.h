@@ -38,7 +38,7 @@ public:
     double Weights[3];
     bool Front;
   };
-  /** The attributes that a block of a composite mapper has of its own. */
+  /** These are the attributes that a block of a composite mapper has of its own. */
   struct Block
   {
     bool Shown = true;

@@ -14,7 +14,7 @@
 
 struct vtkIndirectFrame;
 
-/** The abilities and settings of the frame's estimator. */
+/** These are the abilities and settings of the frame's estimator. */
 struct vtkIndirectAbilities
 {
   std::string Name = "an estimator"; // for reasons
@@ -27,19 +27,21 @@ struct vtkIndirectAbilities
   /** Visibility AUTO means this one, unless Occupancy or the preset PAPER says otherwise. */
   int AutomaticVisibility = vtkIndirectVisibilityNone;
   bool Occupancy = false; // Visibility AUTO means voxels
-  /** The preset PAPER: automatic bounces are one, and automatic visibility is none. */
+  /** It is true with the preset PAPER: automatic bounces are one, and automatic visibility is none.
+   */
   bool IsOfPaper = false;
   /** Sums the texels of lights' maps, if there are maps, and no virtual lights beside them. */
   bool ReadsMaps = false;
   /** Sums the sky, and the light that surfaces reflect of it, itself, and no lights. */
   bool SumsSky = false;
   /**
-   * The tolerance that its parameters follow for the wanted tolerance; 0: no parameter follows one.
+   * This is the tolerance that its parameters follow for the wanted tolerance; 0: no parameter
+   * follows one.
    */
   double ErrorTolerance = 0.0;
 };
 
-/** Further facts about the renderer and the pass. */
+/** These are further facts about the renderer and the pass. */
 struct vtkIndirectCircumstances
 {
   bool OwnDelegate = false;      // the surfaces of the user's own delegate are unknown
@@ -51,16 +53,21 @@ struct vtkIndirectCircumstances
   bool OtherSamplerWalks = false; // an additional sampler finds lights by rays
   bool AreaLights = false;        // there are rectangular lights
   ///@{
-  /** True if some of them, that shine, have this Method. */
+  /** It is true if some lights of this Method shine. */
   bool AutomaticAreaLights = false;
   bool ClosedAreaLights = false;
   bool VirtualAreaLights = false;
   ///@}
-  /** VTK irradiance of a surface in the middle of the scene that faces all area lights. */
+  /**
+   * This is the VTK irradiance of a surface in the middle of the scene that faces all area lights.
+   */
   double AreaLightIrradiance = 0.0;
   int VisibleAreaLights = 0; // number of area lights that are visible themselves
   bool Environment = false;  // light comes from all around
-  /** VTK irradiance of a surface that receives all of the environment's light at a right angle. */
+  /**
+   * This is the VTK irradiance of a surface that receives all of the environment's light at a right
+   * angle.
+   */
   double EnvironmentIrradiance = 0.0;
   ///@{
   /**
@@ -120,7 +127,7 @@ struct vtkIndirectPlan
   };
 
   /**
-   * True if there is irradiance to estimate other than that of an estimator that sums the sky
+   * It is true if there is irradiance to estimate other than that of an estimator that sums the sky
    * itself. If there is no irradiance of any kind, WhyNoIrradiance has the reason.
    */
   bool Irradiance = false;
@@ -128,9 +135,9 @@ struct vtkIndirectPlan
   int Visibility = vtkIndirectVisibilityNone; // of senders from receivers; never automatic
   ///@{
   /**
-   * Light that comes directly from the environment. This frame and a still one have their numbers
-   * of directions; a pixel sums one of SkyBlock squared subsets of them. The maps of directions
-   * have their own size.
+   * This is the light that comes directly from the environment. This frame and a still one have
+   * their numbers of directions; a pixel sums one of SkyBlock squared subsets of them. The maps of
+   * directions have their own size.
    */
   bool Sky = false;
   bool SkyIsShadowed = true;
@@ -175,9 +182,9 @@ struct vtkIndirectPlan
   int LastBounce = 1; // the last bounce that an estimator, a sampler or the walk computes
   ///@{
   /**
-   * The relative errors that parts of the frame's light aim at: the user's, if ErrorToleranceIsSet,
-   * else a standard one for each part. ErrorTolerance is that of samplers and area lights. The
-   * estimator's is 0 if none of its parameters depends on it.
+   * These are the relative errors that parts of the frame's light aim at: the user's, if
+   * ErrorToleranceIsSet, else a standard one for each part. ErrorTolerance is that of samplers and
+   * area lights. The estimator's is 0 if none of its parameters depends on it.
    */
   static constexpr double StandardErrorTolerance = 0.02;
   static constexpr double StandardSkyErrorTolerance = 0.035;
@@ -188,7 +195,9 @@ struct vtkIndirectPlan
   ///@}
   bool Caching = true;
   double IndirectScale = 1.0;
-  /** VTK irradiance, about the brightest of the frame: a power of two, for half floats. */
+  /**
+   * This is the VTK irradiance, about the brightest of the frame: a power of two, for half floats.
+   */
   double IrradianceUnit = 1.0;
 
   ///@{

@@ -11,9 +11,9 @@ class vtkProp;
 struct vtkIndirectPropKind
 {
   /**
-   * True if all parts are drawn by mappers for polygons that see the prop's own property keys, so
-   * that the capture's outputs are written. All other props of VTK (annotation, 3D widgets, the
-   * skybox) write their colour alone.
+   * It is true if all parts are drawn by mappers for polygons that see the prop's own property
+   * keys, so that the capture's outputs are written. All other props of VTK (annotation, 3D
+   * widgets, the skybox) write their colour alone.
    */
   bool Captured = false;
   /**
@@ -22,21 +22,24 @@ struct vtkIndirectPropKind
    * props without any surface.
    */
   const char* NoCaster = nullptr;
-  /** True if it draws surfaces, of any extent in world units. */
+  /** It is true if it draws surfaces, of any extent in world units. */
   bool Surface = false;
-  /** True if VTK lights any part of it, so that it may receive indirect light. */
+  /** It is true if VTK lights any part of it, so that it may receive indirect light. */
   bool Lit = false;
-  /** True if a lit part reflects specularly, by Phong's model. */
+  /** It is true if a lit part reflects specularly, by Phong's model. */
   bool Specular = false;
-  /** True if VTK's PBR lights a part of it, which reflects specularly in any case. */
+  /** It is true if VTK's PBR lights a part of it, which reflects specularly in any case. */
   bool PhysicallyBased = false;
-  /** True if it is drawn with alpha one everywhere, so that nothing shines through. */
+  /** It is true if it is drawn with alpha one everywhere, so that nothing shines through. */
   bool CoversFully = false;
   /** Approximate number of its triangles; 1e9 if its mapper alone knows. */
   double NumberOfTriangles = 0.0;
   /** Depth maps draw meshes of as many triangles by coarse levels, see vtkIndirectMeshParts. */
   static constexpr size_t DenseTriangles = 20000;
-  /** Number of triangles that take as long in a depth map; a guess if its mapper alone knows. */
+  /**
+   * This is the number of triangles that take as long in a depth map; a guess if its mapper alone
+   * knows.
+   */
   double DepthTriangles = 0.0;
 
   static vtkIndirectPropKind Find(vtkProp* prop);

@@ -18,7 +18,7 @@ public:
   {
     return renderer->*(&vtkIndirectRendererAccess::Lights);
   }
-  /** The flag by which passes with a camera clear their framebuffer. */
+  /** Returns the flag by which passes with a camera clear their framebuffer. */
   static vtkTypeBool& Clearing(vtkRenderer* renderer)
   {
     return renderer->*(&vtkIndirectRendererAccess::Erase);

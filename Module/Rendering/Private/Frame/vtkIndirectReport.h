@@ -24,7 +24,7 @@ struct vtkIndirectReport
   int VirtualLights = 0;
   size_t Bytes = 0;           // of textures and buffers
   size_t MainMemoryBytes = 0; // of other data kept between frames; see vtkIndirectIlluminationPass
-  /** Relative error; negative: not estimated. */
+  /** This is the relative error; negative: not estimated. */
   double EstimatedError = -1.0;
   std::string GLRenderer;
   std::string GLVersion;

@@ -15,8 +15,8 @@
 class vtkIndirectSettingList
 {
 public:
-  /** A value of an enumeration, as the end of a setter's name: `AllTexels` of SetModeToAllTexels.
-   */
+  /** This is a value of an enumeration, as the end of a setter's name: `AllTexels` of
+   * SetModeToAllTexels. */
   struct Choice
   {
     std::string Name;

@@ -79,7 +79,7 @@ private:
     Times OfGPU{};
     bool HasGPU = false;
   };
-  // An interval of the GPU's clock in a frame, by the numbers of its queries.
+  // This is an interval of the GPU's clock in a frame, by the numbers of its queries.
   struct Interval
   {
     int Stage;

@@ -57,7 +57,7 @@ protected:
   void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  // The data made from a lamp, and their inputs.
+  // This is the data made from a lamp, and their inputs.
   struct Made
   {
     vtkIndirectKey Light;

@@ -9,7 +9,7 @@
 class vtkIndirectAreaPyramid
 {
 public:
-  /** Largest number of texels along an edge of the finest level. */
+  /** This is the largest number of texels along an edge of the finest level. */
   static constexpr int MostTexels = 256;
 
   /**

@@ -22,10 +22,10 @@ class vtkIndirectAreaSamples : public vtkIndirectResource
 public:
   explicit vtkIndirectAreaSamples(vtkIndirectResource* owner);
 
-  /** Number of points of a lamp that are looked up. */
+  /** This is the number of points of a lamp that are looked up. */
   static constexpr int NumberOfPoints = 16;
   ///@{
-  /** Distances in moving frames, and in still ones. */
+  /** These are the distances in moving frames, and in still ones. */
   static constexpr int DistancesOfMoving = 14;
   static constexpr int DistancesOfStill = 28;
   ///@}

@@ -77,8 +77,8 @@ private:
   std::vector<Summand> Strong;
   std::vector<Summand> Others;
   std::map<int, std::vector<Summand>> Known; // others, by number of directions
-  // Pieces of the environment that the others share. Each piece has the number of the direction
-  // that it was last given to, and the cosine to that direction.
+  // These are the pieces of the environment that the others share. Each piece has the number of the
+  // direction that it was last given to, and the cosine to that direction.
   struct Cell
   {
     glm::dvec3 Direction;

@@ -69,7 +69,7 @@ private:
     vtkIndirectDepthMaps::ClientType Client;
     const vtkIndirectDepthAtlas& Atlas; // maps as they were drawn
   };
-  // A direction that is summed: its place in its group's atlas, and its light.
+  // This is a direction that is summed: its place in its group's atlas, and its light.
   struct Term
   {
     size_t Tile;

@@ -33,7 +33,7 @@ size_t GetMaximumBytes()
   return static_cast<size_t>(std::min<GLint64>(std::max<GLint64>(bytes, 0), GLint64(1) << 28));
 }
 
-// Texels of each list: split ones, and whole ones.
+// Returns the texels of each list: split ones, and whole ones.
 std::vector<size_t> GetCapacities(const vtkIndirectSubsplatPyramid& pyramid)
 {
   std::vector<size_t> capacities;
@@ -300,7 +300,7 @@ double vtkIndirectGlossySubsplats::CountEvaluations() const
   double evaluations = 0.0;
   for (size_t number = 1; number <= this->Levels.size(); ++number)
   {
-    // Four children; under whole texels also the nine samples around.
+    // A pair counts for four children, and under whole texels also for the nine samples around.
     evaluations += 4.0 * static_cast<double>(this->Lists.Count(SplitList(number)).Pairs) +
       13.0 * static_cast<double>(this->Lists.Count(WholeList(number)).Pairs);
   }

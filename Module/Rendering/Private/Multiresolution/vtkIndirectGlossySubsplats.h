@@ -26,7 +26,7 @@ public:
   using Input = vtkIndirectEstimateInput;
   using Settings = vtkIndirectSubsplatSettings;
 
-  /** True if the lists of a frame fit into the largest buffer of the driver. */
+  /** Returns true if the lists of a frame fit into the largest buffer of the driver. */
   static bool Fits(const vtkIndirectSubsplatPyramid& pyramid, int numberOfLights);
 
   /** Creates or resizes the levels. Returns false, after an error, if OpenGL refuses. */
@@ -41,7 +41,7 @@ public:
   bool Fill(const Input& input, const Settings& settings, const vtkIndirectSubsplatPyramid& pyramid,
     vtkIndirectLightBlock& lights, const vtkIndirectTarget& irradiance, vtkIndirectTarget& glossy);
 
-  /** Lights evaluated at texels and pixels in the last frame. Waits for the GPU. */
+  /** Returns the lights evaluated at texels and pixels in the last frame. Waits for the GPU. */
   double CountEvaluations() const;
 
 protected:
@@ -67,7 +67,7 @@ private:
   vtkIndirectFullScreenProgram UpsamplePixels{ this, "vtkIndirectGlossyUpsampleFS.glsl" };
   vtkIndirectFullScreenProgram Upsample{ this, "vtkIndirectGlossyUpsampleFS.glsl" };
   vtkIndirectComputeProgram First{ this, "vtkIndirectGlossyFirstCS.glsl" };
-  // For texels and for pixels, each under split and under whole texels.
+  // The first two are for texels, the others for pixels: under split texels, under whole ones.
   vtkIndirectComputeProgram Sums[4] = { { this, "vtkIndirectGlossyCS.glsl" },
     { this, "vtkIndirectGlossyCS.glsl" }, { this, "vtkIndirectGlossyCS.glsl" },
     { this, "vtkIndirectGlossyCS.glsl" } };

@@ -10,10 +10,10 @@
 struct vtkIndirectSubsplatDetails
 {
   int CoarsestResolution = 64; // most texels along an edge of the coarsest level
-  // Criterion that splits a subsplat and selects neighbours for interpolation: true is the paper's
-  // test by min-max pyramids (DepthThreshold, and the range of each component of the normal against
-  // NormalThreshold), with its interpolation from every illuminated neighbour; false tests
-  // PlaneThreshold, and the normals' distance from their mean.
+  // This is the criterion that splits a subsplat and selects neighbours for interpolation: true is
+  // the paper's test by min-max pyramids (DepthThreshold, and the range of each component of the
+  // normal against NormalThreshold), with its interpolation from every illuminated neighbour; false
+  // tests PlaneThreshold, and the normals' distance from their mean.
   bool DepthRange = false;
   // Largest relative error of interpolating the irradiance between subsplats, estimated from its
   // variation over the coarsest level and from its curvature by the virtual light that bends it
@@ -27,12 +27,12 @@ struct vtkIndirectSubsplatDetails
   // subsplat's lights. 0, or OpenGL older than 4.3, sums all lights at every specular pixel.
   double GlossyThreshold = 0.02;
 
-  /** The details of a pass; tests change them one by one. */
+  /** Returns the details of a pass; tests change them one by one. */
   static vtkIndirectSubsplatDetails& Of(const vtkMultiresolutionSplattingPass* pass)
   {
     return *pass->Details;
   }
-  /** The choices of the preset PAPER: the same sums, by the fastest renderer. */
+  /** Returns the choices of the preset PAPER: the same sums, by the fastest renderer. */
   static vtkIndirectSubsplatDetails OfPaper()
   {
     vtkIndirectSubsplatDetails details;

@@ -27,14 +27,14 @@ public:
   bool FillPixels(const Input& input, const Settings& settings, vtkIndirectSubsplatPyramid& pyramid,
     vtkIndirectLightBlock& lights, vtkIndirectTarget& pixels);
 
-  /** Irradiance, vector irradiance and their states at level `number`, from 1 on. */
+  /** Returns the irradiance, vector irradiance and their states at level `number`, from 1 on. */
   const vtkIndirectTarget& GetLevel(size_t number) const { return *this->Levels[number - 1]; }
 
 protected:
   void ReleaseOwn(vtkWindow*) override { this->Levels.clear(); }
 
 private:
-  // Data that the steps below share.
+  // This is the data that the steps below share.
   struct Work
   {
     const Input& In;
@@ -44,10 +44,10 @@ private:
     vtkIndirectTarget& Target; // target of the written level
     size_t Number;             // number of that level, 0 for pixels
   };
-  // True if neighbouring leaves share shadow look-ups: in moving frames, where look-ups take half
-  // of the time and a shadow's border may be off by a leaf.
+  // Returns true if neighbouring leaves share shadow look-ups: in moving frames, where look-ups
+  // take half of the time and a shadow's border may be off by a leaf.
   static bool SharesLooks(const Work& work);
-  /** True if the level above is not split. */
+  /** Returns true if the level above is not split. */
   static bool IsBelowFinest(const Work& work);
   void Define(const Work& work);
   bool Fill(const Work& work);

@@ -28,7 +28,7 @@ public:
   /** The lists, for programs that run for their entries. */
   const vtkIndirectCommandBuffer& GetBuffer() const { return this->Buffer; }
 
-  /** Entries in a list. Waits for the GPU. */
+  /** Returns the entries in a list. Waits for the GPU. */
   int Count(size_t list) const { return static_cast<int>(this->Buffer.Count(list)); }
 
 private:

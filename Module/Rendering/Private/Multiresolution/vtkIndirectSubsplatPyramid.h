@@ -18,10 +18,10 @@
 
 class vtkIndirectLightBlock;
 
-/** Settings of a frame, with thresholds for the frame's tolerance. */
+/** These are the settings of a frame, with thresholds for the frame's tolerance. */
 struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
 {
-  int FinestLevel = 0; // no texel of this level or a finer one is split; level 0 is pixels
+  int FinestLevel = 0;          // no texel of this level or a finer one is split; level 0 is pixels
   bool PointFormFactor = false; // of lights at diffuse receivers, see vtkiPointLightStrength
   double PlaneThreshold = 0.0;
   double DepthThreshold = 0.0;
@@ -46,9 +46,9 @@ public:
     vtkIndirectLightBlock& lights);
 
   size_t GetNumberOfLevels() const { return this->Levels.size(); }
-  /** Octahedral normal, depth and state of level `number`, from 1 on. */
+  /** Returns the octahedral normal, depth and state of level `number`, from 1 on. */
   const vtkIndirectTarget& GetSurface(size_t number) const { return *this->Levels[number - 1]; }
-  /** List i: the split texels of level i + 1. */
+  /** Returns the list i: the split texels of level i + 1. */
   vtkIndirectSubsplatList& GetLists() { return this->Lists; }
 
   /**
@@ -57,7 +57,7 @@ public:
    */
   double EstimateSamplingError() const;
 
-  /** Pixels along the edge of a texel of a level. */
+  /** Returns the pixels along the edge of a texel of a level. */
   static float EdgeOf(size_t number) { return static_cast<float>(1u << number); }
 
 protected:

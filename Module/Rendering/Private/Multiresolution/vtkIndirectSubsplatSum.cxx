@@ -15,8 +15,8 @@
 
 namespace
 {
-// Lobes of senders: at every so many pixels, and what interpolation between them may change of
-// them, over their light.
+// Lobes of senders are summed at every so many pixels, and interpolated where this changes no more
+// than this share of their light.
 constexpr int LobeStep = 4;
 constexpr double LobeTolerance = 0.05;
 

@@ -30,9 +30,12 @@ protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
 
 private:
-  /** The tolerance that the thresholds follow when so much is asked for; 0: none does. */
+  /** Returns the tolerance that the thresholds follow when so much is asked for; 0: none does. */
   double FindErrorTolerance(double asked) const;
-  /** Names of the thresholds that the irradiance's subsplats obey and that the user has set. */
+  /**
+   * Returns the names of the thresholds that the irradiance's subsplats obey and that the user has
+   * set.
+   */
   std::vector<std::string> FindOwnThresholds() const;
   vtkIndirectSubsplatSettings MakeSettings(const Input& input) const;
   bool Fill(

@@ -20,9 +20,10 @@ public:
   using vtkIndirectResource::vtkIndirectResource;
 
   /**
-   * Names of the views for that many levels: subsplat.level, each pixel's level; subsplat.outline,
-   * the subsplats over the irradiance; subsplat.evaluated<n>, the illumination of level n's leaves;
-   * subsplat.upsampled<n>, level n with the interpolation of coarser levels. Level 0 is pixels.
+   * Returns the names of the views for that many levels: subsplat.level, each pixel's level;
+   * subsplat.outline, the subsplats over the irradiance; subsplat.evaluated<n>, the illumination of
+   * level n's leaves; subsplat.upsampled<n>, level n with the interpolation of coarser levels.
+   * Level 0 is pixels.
    */
   static std::vector<std::string> GetNames(size_t levels);
 

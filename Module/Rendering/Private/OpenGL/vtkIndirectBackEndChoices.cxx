@@ -26,7 +26,7 @@ struct Entry
   std::array<bool, 2> NeedsCompute;
 };
 
-// In the order of Choice.
+// The entries stand in the order of Choice.
 const std::array<Entry, NumberOfChoices> Entries{ {
   // Compute shaders sum splats in registers, in a fixed order, where blending reads and writes 16
   // bytes of each pixel for each splat, and list split texels of multiresolution splatting.

@@ -42,15 +42,15 @@ enum UniformsValue
 };
 
 /**
- * The value in force in the current context. The environment is read at each call: a change affects
- * passes made, or released, afterwards. An unknown name, or a choice that this OpenGL does not
- * support, is one error, and the whole variable is ignored.
+ * Returns the value in force in the current context. The environment is read at each call: a change
+ * affects passes made, or released, afterwards. An unknown name, or a choice that this OpenGL does
+ * not support, is one error, and the whole variable is ignored.
  */
 int Get(Choice choice);
 
-/** All choices that this OpenGL supports: name and value in force. */
+/** Returns all choices that this OpenGL supports: name and value in force. */
 std::vector<std::pair<std::string, std::string>> GetAll();
 
-/** Each name with its values, independent of this OpenGL. */
+/** Returns each name with its values, independent of this OpenGL. */
 std::vector<std::pair<std::string, std::vector<std::string>>> List();
 }

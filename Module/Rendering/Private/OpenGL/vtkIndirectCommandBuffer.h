@@ -29,17 +29,17 @@ public:
   /** One invocation for each entry of a list, rounded up to groups; the program must be current. */
   void Dispatch(size_t list) const;
 
-  /** Entries in a list. Waits for the GPU; the buffer's context must be current. */
+  /** Returns the entries in a list. Waits for the GPU; the buffer's context must be current. */
   unsigned int Count(size_t list) const;
   /** Reads words of entries, from the first on. Waits for the GPU; the buffer's context must be
    * current. */
   void Read(size_t first, size_t count, unsigned int* words) const;
 
-  /** Offset of a word of the entries in the buffer. */
+  /** Returns the offset of a word of the entries in the buffer. */
   size_t GetOffset(size_t word) const { return CountBytes(this->NumberOfLists, word); }
   /** Null without a buffer. */
   vtkOpenGLRenderWindow* GetWindow() const;
-  /** Bytes of a buffer whose entries have this many words. */
+  /** Returns the bytes of a buffer whose entries have this many words. */
   static size_t CountBytes(size_t lists, size_t words);
 
 protected:

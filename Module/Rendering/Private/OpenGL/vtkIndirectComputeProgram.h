@@ -21,7 +21,7 @@ public:
   vtkIndirectComputeProgram(vtkIndirectResource* owner, const char* stage);
   ~vtkIndirectComputeProgram() override;
 
-  /** True if the current context has compute shaders and storage buffers, OpenGL 4.3, and
+  /** Returns true if the current context has compute shaders and storage buffers, OpenGL 4.3, and
    * vtkIndirectBackEndChoices does not switch them off. */
   static bool IsSupported();
 

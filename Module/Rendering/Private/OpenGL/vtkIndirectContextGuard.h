@@ -19,7 +19,7 @@ public:
   /** Called with the window whose context ends; the context is current. */
   std::function<void(vtkWindow*)> Release;
 
-  /** False only if all objects were made in the context of another window. */
+  /** Returns false only if all objects were made in the context of another window. */
   bool CanBeOf(vtkWindow* window) { return !this->GetContext() || this->GetContext() == window; }
 
   /** Releases the window's context, whichever is current. */

@@ -52,7 +52,7 @@ int CountOutputs(const std::string& vertexShader)
   return components;
 }
 
-// True if a name occurs in a text behind `at`, as a whole word.
+// Returns true if a name occurs in a text behind `at`, as a whole word.
 bool IsUsed(const std::string& text, const std::string& name, size_t at)
 {
   auto isPart = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };

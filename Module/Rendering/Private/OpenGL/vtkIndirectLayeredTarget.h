@@ -22,7 +22,7 @@ public:
 
   /** Uses only this many of the table's channels, from the first on; takes effect with Resize. */
   void SetNumberOfChannels(int count) { this->NumberOfChannels = count; }
-  /** After Resize. */
+  /** Returns the number that Resize has made. */
   int GetNumberOfChannels() const { return static_cast<int>(this->Textures.size()); }
 
   /**
@@ -37,9 +37,9 @@ public:
 
   /** Binds a channel's array and sets its sampler; pair with Deactivate. */
   void Activate(int channel, const vtkIndirectProgram& program);
-  /** Texture unit with a channel's array bound; pair with Deactivate. */
+  /** Returns the texture unit with a channel's array bound; pair with Deactivate. */
   int Activate(int channel);
-  /** Texture unit with the depth array bound; pair with Deactivate. */
+  /** Returns the texture unit with the depth array bound; pair with Deactivate. */
   int ActivateShadow();
   void Deactivate();
 

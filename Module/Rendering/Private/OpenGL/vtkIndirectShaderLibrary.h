@@ -7,9 +7,9 @@
 namespace vtkIndirectShaderLibrary
 {
 /**
- * Text of a file with its includes expanded, each once, depth first. `gather` replaces VTKI_GATHER,
- * the one include that a stage leaves open. Returns an empty string, after one error, for a file
- * that is not embedded.
+ * Returns the text of a file with its includes expanded, each once, depth first. `gather` replaces
+ * VTKI_GATHER, the one include that a stage leaves open. Returns an empty string, after one error,
+ * for a file that is not embedded.
  */
 std::string GetText(const std::string& fileName, const std::string& gather = std::string());
 
@@ -19,12 +19,12 @@ std::string GetText(const std::string& fileName, const std::string& gather = std
 extern const char* const Extensions;
 
 /**
- * Text of a shader: GetText with the extensions and then `definitions` after its first line, which
- * VTK replaces by version 1.50; definitions may begin with their own #version line.
+ * Returns the text of a shader: GetText with the extensions and then `definitions` after its first
+ * line, which VTK replaces by version 1.50; definitions may begin with their own #version line.
  */
 std::string GetShader(const std::string& fileName, const std::string& definitions,
   const std::string& gather = std::string());
 
-/** MD5 of all shader text, which lets figures be traced to their shaders. */
+/** Returns the MD5 of all shader text, which lets figures be traced to their shaders. */
 std::string GetHash();
 }

@@ -47,8 +47,8 @@ public:
   bool CopyDepth(const int origin[2]) const;
 
   /**
-   * The target format for the content of the first colour buffer of the framebuffer that is bound
-   * for drawing.
+   * Returns the target format for the content of the first colour buffer of the framebuffer that is
+   * bound for drawing.
    */
   static unsigned int FindBoundColorFormat();
   /**
@@ -57,7 +57,7 @@ public:
    */
   bool CopyBoundColor(const int origin[2]);
 
-  /** Distance between two depths near one. */
+  /** Returns the distance between two depths near one. */
   double GetDepthStep() const;
 
   /** Binds for drawing to all channels with the viewport over the whole target. Pair with End. */
@@ -70,9 +70,9 @@ public:
   void ClearDepth();
 
   vtkOpenGLFramebufferObject* GetFramebuffer() const { return this->Framebuffer; }
-  /** After Resize. */
+  /** Returns the number that Resize has made. */
   int GetNumberOfChannels() const { return static_cast<int>(this->Textures.size()); }
-  /** Format of OpenGL. */
+  /** Returns the format of OpenGL. */
   unsigned int GetInternalFormat(int channel) const
   {
     return this->Channels[channel].InternalFormat;

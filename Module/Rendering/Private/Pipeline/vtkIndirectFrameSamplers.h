@@ -35,11 +35,14 @@ class vtkIndirectFrameSamplers : public vtkIndirectResource
 public:
   explicit vtkIndirectFrameSamplers(vtkIndirectResource* owner);
 
-  /** The sampler if the user has set none. */
+  /** This is the sampler if the user has set none. */
   vtkNew<vtkLightTreeSampler> Default;
   /** The sampler of area lights that are summed as virtual lights. */
   vtkNew<vtkAreaLightSampler> Area;
-  /** Further samplers, whose lights are summed in addition to those of the frame's sampler. */
+  /**
+   * These are further samplers, whose lights are summed in addition to those of the frame's
+   * sampler.
+   */
   std::vector<vtkSmartPointer<vtkVirtualLightSampler>> Others;
 
   /** Returns true if one of the further samplers walks. */

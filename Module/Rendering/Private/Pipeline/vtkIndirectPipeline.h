@@ -50,7 +50,7 @@ class vtkRenderPass;
 class vtkIndirectPipeline : public vtkIndirectResource
 {
 public:
-  /** The settings and objects that the pass hands to the pipeline for a frame. */
+  /** These are the settings and objects that the pass hands to the pipeline for a frame. */
   struct Request
   {
     vtkIndirectSettings Settings;
@@ -170,7 +170,7 @@ private:
   vtkIndirectComposite Composite{ this };
   vtkIndirectAntialiasing Antialiasing{ this };
 
-  // Data of the last frame.
+  // This is the data of the last frame.
   vtkIndirectFrame Frame;
   vtkIndirectCasterBounds CasterBounds; // wide bounds of the frame's casters
   vtkIndirectPlan Plan;
@@ -182,7 +182,8 @@ private:
   Part Parts[NUMBER_OF_PARTS];
   long long NumberOfEstimates = 0;
   std::string WhyNoBuffers = "no frame has been rendered yet";
-  // The estimator of the last frame: its buffers stay readable when the pass gets another one.
+  // This is the estimator of the last frame: its buffers stay readable when the pass gets another
+  // one.
   vtkWeakPointer<vtkIndirectEstimatorPass> Estimator;
   vtkSmartPointer<vtkIndirectEstimatorPass> HeldEstimator;
   vtkTimeStamp Identity;                     // identifies this user of an estimator

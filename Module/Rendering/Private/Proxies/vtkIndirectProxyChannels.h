@@ -8,7 +8,7 @@
 
 namespace vtkIndirectProxyChannels
 {
-// One of several channels with the same meaning.
+// Returns one of several channels with the same meaning.
 constexpr vtkIndirectChannel MakeChannel(
   const char* name, const char* uniform, const char* meaning, const char* unit = "VTK irradiance")
 {

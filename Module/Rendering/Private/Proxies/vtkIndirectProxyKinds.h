@@ -22,8 +22,8 @@ public:
     /** Balls that a mapper draws by itself: atoms, particles, spherical glyphs. */
     double NumberOfSpheres = 0.0;
     size_t NumberOfPolygons = 0; // flat and convex
-    /** Content for which vtkProxyAccumulationPass has no exact representation; empty if there is
-     * none. */
+    /** This is the content for which vtkProxyAccumulationPass has no exact representation; empty if
+     * there is none. */
     std::string Other;
     /** Changes with the positions of these spheres: times of data, elements of matrices. */
     std::vector<double> Places;
@@ -32,8 +32,8 @@ public:
   /** Counts the spheres of mappers that draw only spheres; without reasons in Other, and without
    * examining meshes. */
   static Kind FindSpheres(vtkProp* prop);
-  /** True if an actor draws opaque splats that its shader code clips by `discard`, so that they
-   * look like spheres. Other splats fade out and are translucent. */
+  /** Returns true if an actor draws opaque splats that its shader code clips by `discard`, so that
+   * they look like spheres. Other splats fade out and are translucent. */
   static bool IsOfCutSplats(vtkActor* actor);
   /** Examines all of a prop. */
   Kind Find(vtkProp* prop);

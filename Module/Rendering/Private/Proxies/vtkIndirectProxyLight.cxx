@@ -20,7 +20,7 @@ void Append(std::vector<glm::vec4>& rows, const vtkiHarmonics4& f)
   rows.insert(rows.end(), { f.A, f.B, f.C, f.D });
 }
 
-// Twice the area, along the normal.
+// Returns twice the area, along the normal.
 glm::dvec3 FindArea(const vtkIndirectProxyPolygon& polygon)
 {
   glm::dvec3 sum(0.0);

@@ -23,7 +23,7 @@ public:
   static constexpr size_t MostFinePolygons = 4;
   using Coefficients = std::array<glm::dvec3, NumberOfCoefficients>;
 
-  /** Coefficients of order 4, by l (l + 1) + m, in world coordinates. */
+  /** Returns the coefficients of order 4, by l (l + 1) + m, in world coordinates. */
   static Coefficients Project(vtkEnvironmentLight* environment);
 
   /**
@@ -32,7 +32,7 @@ public:
    */
   bool Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
     const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace, bool changed);
-  /** The polygons that count: if there are too many, the largest. */
+  /** Returns the polygons that count: if there are too many, the largest. */
   static std::vector<vtkIndirectProxyPolygon> ChoosePolygons(
     std::vector<vtkIndirectProxyPolygon> polygons);
   /**
@@ -41,9 +41,9 @@ public:
    */
   static std::vector<glm::dvec3> FindPlaces(
     const vtkIndirectProxyPolygon& polygon, size_t numberOfPolygons);
-  /** Area. */
+  /** Returns the area. */
   static double FindSize(const vtkIndirectProxyPolygon& polygon);
-  /** Unit. */
+  /** Returns the unit normal. */
   static glm::dvec3 FindNormal(const vtkIndirectProxyPolygon& polygon);
 
   void Activate(const vtkIndirectProgram& program) const;

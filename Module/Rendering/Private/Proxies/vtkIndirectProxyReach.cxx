@@ -68,7 +68,7 @@ vec4 FindTaken(double sine, float weight)
 // fall more slowly than the sphere's solid angle.
 const double Places[] = { 1.0, 0.99, 0.985, 0.98, 0.97, 0.95 };
 
-// The smallest reach whose cut-off error is at most this.
+// Returns the smallest reach whose cut-off error is at most this.
 double Solve(const std::function<double(double sine, float weight)>& change, double most)
 {
   auto isSmall = [&](double reach)
@@ -94,7 +94,7 @@ double Solve(const std::function<double(double sine, float weight)>& change, dou
   return high;
 }
 
-// Reach for one colour.
+// Returns the reach for one colour.
 vtkIndirectProxyReach FindColor(const vtkiHarmonics4& light, bool middle)
 {
   vtkIndirectProxyReach reach;

@@ -46,7 +46,7 @@ struct SphereAccess : public vtkOpenGLSphereMapper
 };
 const char* const NoBlockers = "they block no indirect light; the result is too bright";
 
-// True if a mapper draws spheres or sticks of given radii.
+// Returns true if a mapper draws spheres or sticks of given radii.
 bool IsOfSpheres(vtkMapper* mapper)
 {
 #ifdef VTKI_MOLECULES
@@ -60,7 +60,7 @@ bool IsOfSpheres(vtkMapper* mapper)
     vtkPointGaussianMapper::SafeDownCast(mapper);
 }
 
-// The polygons of a mapper that draws them unchanged, or of data sets.
+// Returns the polygons of a mapper that draws them unchanged, or of data sets.
 vtkDataObject* FindMeshes(vtkMapper* mapper)
 {
   auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
@@ -78,7 +78,7 @@ bool IsOfSplats(vtkActor* actor)
   return vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) != nullptr;
 }
 
-// True if an actor, or one in an assembly, draws splats.
+// Returns true if an actor, or one in an assembly, draws splats.
 bool HasSplats(vtkProp* prop)
 {
   bool any = false;
@@ -248,7 +248,7 @@ bool vtkIndirectProxyScene::IsCutOff(const Part& part, const glm::dvec3& place)
 }
 
 //------------------------------------------------------------------------------
-// True if the actor's matrix makes ellipsoids of spheres, beyond rounding.
+// Returns true if the actor's matrix makes ellipsoids of spheres, beyond rounding.
 bool vtkIndirectProxyScene::IsOfEllipsoids(const Part& part)
 {
   const glm::dmat3 turned(part.ToWorld);

@@ -22,7 +22,10 @@ struct vtkIndirectReport;
 class vtkIndirectProxyScene
 {
 public:
-  /** Spheres that a user has given, by their prop: points with the point data "Radius". */
+  /**
+   * These are the spheres that a user has given, by their prop: points with the point data
+   * "Radius".
+   */
   using Given = std::map<vtkSmartPointer<vtkProp>, vtkSmartPointer<vtkPolyData>>;
 
   enum UserType
@@ -44,21 +47,21 @@ public:
   const std::vector<vtkIndirectProxySphere>& GetSpheres() const { return this->Spheres; }
   /** Returns true if a sphere contains the position, in scene units. */
   bool Contains(const glm::dvec3& place) const;
-  /** The spheres, which are moved out of this object. */
+  /** Returns the spheres, which are moved out of this object. */
   std::vector<vtkIndirectProxySphere> TakeSpheres() { return std::move(this->Spheres); }
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }
-  /** The renderer's props with spheres or polygons. */
+  /** These are the renderer's props with spheres or polygons. */
   const std::vector<const vtkProp*>& GetProps() const { return this->Props; }
   /** Mappers of actors with spheres or polygons. */
   const std::vector<const vtkMapper*>& GetMappers() const { return this->Mappers; }
-  /** Numbers of spheres by their source, as text. */
+  /** Returns the numbers of spheres by their source, as text. */
   std::string GetWhat() const;
-  /** Surfaces that are not represented, and the reasons. */
+  /** Returns the surfaces that are not represented, and the reasons. */
   const std::vector<std::pair<std::string, std::string>>& GetLeftOut() const
   {
     return this->LeftOut;
   }
-  /** Number of times that a mesh was examined. */
+  /** Returns the number of times that a mesh was examined. */
   int GetNumberOfFits() const { return this->Shapes.GetNumberOfFits(); }
   void AddToReport(vtkIndirectReport& report) const;
   void Forget() { this->Key.Clear(); }

@@ -58,7 +58,7 @@ glm::dvec3 GetPoint(vtkPolyData* mesh, vtkIdType i)
   return { p[0], p[1], p[2] };
 }
 
-// Least-squares sphere through points: |p|^2 = 2 p c + k about their mean.
+// Fits the least-squares sphere through points: |p|^2 = 2 p c + k about their mean.
 bool FitSphere(
   vtkPolyData* mesh, const vtkIdType* points, size_t count, vtkIndirectProxySphere& sphere)
 {
@@ -110,7 +110,7 @@ double FindArea(const std::vector<glm::dvec2>& outline)
   return 0.5 * twice;
 }
 
-// The convex hull, counterclockwise (Andrew's monotone chain).
+// Returns the convex hull, counterclockwise (Andrew's monotone chain).
 std::vector<glm::dvec2> FindHull(std::vector<glm::dvec2> points)
 {
   std::sort(points.begin(), points.end(),

@@ -27,7 +27,7 @@ public:
     std::vector<vtkIndirectProxySphere> Spheres;
     std::vector<vtkIndirectProxyPolygon> Polygons;
     ///@{
-    /** A point and a cell of each sphere's surface, empty for the filter's spheres. */
+    /** This is a point and a cell of each sphere's surface, empty for the filter's spheres. */
     std::vector<vtkIdType> Points;
     std::vector<vtkIdType> Cells;
     ///@}
@@ -43,21 +43,21 @@ public:
     SHEET    // a sheet, which has no representation
   };
 
-  /** The representation of a mesh drawn by this prop. */
+  /** Returns the representation of a mesh drawn by this prop. */
   const Shape& Find(vtkProp* prop, vtkPolyData* mesh);
-  /** The representation of a closed body: one sphere, or none. */
+  /** Returns the representation of a closed body: one sphere, or none. */
   const Shape& FindBody(vtkProp* prop, vtkPolyData* mesh);
 
   /** Ends a frame: forgets meshes not used since the last call. */
   void Forget();
-  /** Number of times that a mesh was examined. */
+  /** Returns the number of times that a mesh was examined. */
   int GetNumberOfFits() const { return this->NumberOfFits; }
 
   ///@{
   /** The parts of Find: false if the mesh has no such shape. */
   static bool FindSpheres(vtkPolyData* mesh, Shape& shape);
   static bool FindPolygon(vtkPolyData* mesh, Shape& shape);
-  /** True if a mesh encloses no volume, by the length of its border. */
+  /** Returns true if a mesh encloses no volume, by the length of its border. */
   static bool IsSheet(vtkPolyData* mesh);
   ///@}
 

@@ -13,7 +13,7 @@ constexpr int Ratios = 16;
 constexpr int Distances = 64;
 constexpr double Farthest = 2.0;
 
-// The area of the intersection of two disks at this distance, over pi; first >= second.
+// Returns the area of the intersection of two disks at this distance, over pi; first >= second.
 double FindLens(double first, double second, double apart)
 {
   if (apart >= first + second)
@@ -32,7 +32,7 @@ double FindLens(double first, double second, double apart)
   return (a2 * std::atan2(half, toFirst) + b2 * std::atan2(half, toSecond) - apart * half) / Pi;
 }
 
-// Overlap over the smaller disk's area; distance: over the sum of the radii.
+// Returns the overlap over the smaller disk's area; distance: over the sum of the radii.
 double Integrate(double ratio, double distance)
 {
   constexpr int steps = 64;

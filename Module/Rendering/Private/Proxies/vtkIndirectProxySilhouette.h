@@ -9,9 +9,9 @@ class vtkIndirectProxySilhouette
 {
 public:
   /**
-   * Overlap of two balls' disks: the area of their intersection, averaged over directions, over
-   * that of the smaller one. Radii are positive; distance is that of their centres, from 0 on.
-   * Within 0.01 of the integral, 0.05 if a small ball is barely hidden.
+   * Returns the overlap of two balls' disks: the area of their intersection, averaged over
+   * directions, over that of the smaller one. Radii are positive; distance is that of their
+   * centres, from 0 on. Within 0.01 of the integral, 0.05 if a small ball is barely hidden.
    */
   static double FindOverlap(double first, double second, double distance);
 
@@ -23,8 +23,8 @@ public:
     double Share;
   };
   /**
-   * The area of the silhouette of some balls: of each ball the part that the balls before it leave,
-   * as if their overlaps were independent.
+   * Returns the area of the silhouette of some balls: of each ball the part that the balls before
+   * it leave, as if their overlaps were independent.
    */
   static double FindArea(const Ball* balls, int count);
 };

@@ -9,8 +9,8 @@
 
 namespace
 {
-// The median radius of spheres in front of the eye, in pixels; infinite without spheres. Samples
-// large sets.
+// Returns the median radius of spheres in front of the eye, in pixels; infinite without spheres.
+// Samples large sets.
 double FindRadiusInPixels(
   const vtkIndirectFrame& frame, const std::vector<vtkIndirectProxySphere>& spheres)
 {

@@ -13,14 +13,17 @@ struct vtkIndirectFrame;
 class vtkIndirectProxyStep
 {
 public:
-  /** Largest step, independent of spheres. */
+  /** This is the largest step, independent of spheres. */
   static constexpr int Most = 8;
   /** Hysteresis: share of the radius by which it may pass the last step's limit, either way. */
   static constexpr double Margin = 0.15;
 
-  /** The step of a frame for the visible spheres. */
+  /** Returns the step of a frame for the visible spheres. */
   int Find(const vtkIndirectFrame& frame, const std::vector<vtkIndirectProxySphere>& spheres);
-  /** The step for a radius in pixels, which may be infinite. Another size forgets the last step. */
+  /**
+   * Returns the step for a radius in pixels, which may be infinite. Another size forgets the last
+   * step.
+   */
   int Find(const int size[2], double radius);
   /** Finds the next step without hysteresis. */
   void Forget() { this->Last = 0; }

@@ -21,7 +21,7 @@ class vtkMapper;
 namespace vtkIndirectProxySticks
 {
 constexpr int MostSpheresOfAStick = 8;
-/** Limit of INSIDE; longer sticks let light through between their spheres. */
+/** This is the limit of INSIDE; longer sticks let light through between their spheres. */
 constexpr int MostSpheresInsideAStick = 4096;
 
 enum RowType
@@ -32,9 +32,12 @@ enum RowType
 
 /** The mapper of a molecule's bonds; null for any other mapper. */
 vtkMapper* FindBonds(vtkMapper* molecule);
-/** Number of spheres for a stick, and their radius; none for a stick without length or radius. */
+/**
+ * Returns the number of spheres for a stick, and their radius; none for a stick without length or
+ * radius.
+ */
 int FindRow(double length, double radius, double& radiusOfSpheres);
-/** Number of spheres of INSIDE, whose radius is the stick's. */
+/** Returns the number of spheres of INSIDE, whose radius is the stick's. */
 int FindRowInside(double length, double radius);
 /** Calls with the position and the radius of each sphere of each stick in data of
  * vtkOpenGLStickMapper, and the number of the stick. */

@@ -63,7 +63,7 @@ void vtkIndirectProxySums::SetEnvironment(
 }
 
 //------------------------------------------------------------------------------
-// Light that falls on senders, and its means.
+// Finds the light that falls on senders, and its means.
 bool vtkIndirectProxySums::LightSenders(const Input& input)
 {
   vtkOpenGLRenderWindow* window = input.Frame.Window;
@@ -195,7 +195,7 @@ bool vtkIndirectProxySums::Sum(const Input& input, vtkIndirectTarget& image)
 }
 
 //------------------------------------------------------------------------------
-// Light of pixels that no coarse receiver represents.
+// Sums the light of pixels that no coarse receiver represents.
 bool vtkIndirectProxySums::SumRest(
   const Input& input, const std::string& definitions, vtkIndirectTarget& image)
 {

@@ -82,7 +82,7 @@ private:
   vtkIndirectCommandBuffer Rest{ this, 2 }; // tiles' receivers, and the pixels that they represent
   vtkIndirectComputeProgram Choosing{ this, "vtkIndirectProxyChooseCS.glsl" };
   vtkIndirectComputeProgram Sharing{ this, "vtkIndirectProxyShareCS.glsl" };
-  // For coarse receivers, all pixels, tiles' receivers, senders.
+  // They sum at coarse receivers, at all pixels, at tiles' receivers and at senders.
   vtkIndirectComputeProgram Tiles[4]{ { this, "vtkIndirectProxyTilesCS.glsl" },
     { this, "vtkIndirectProxyTilesCS.glsl" }, { this, "vtkIndirectProxyTilesCS.glsl" },
     { this, "vtkIndirectProxyTilesCS.glsl" } };

@@ -5,7 +5,7 @@
 
 // clang-format off
 constexpr int vtkIndirectProxyEntries = 64;
-// Zonal logarithm of visibility over 1 - cos where 1 - cos = row / (entries - 1).
+// This is the zonal logarithm of visibility over 1 - cos where 1 - cos = row / (entries - 1).
 constexpr float vtkIndirectProxyTable[64][4] = {
   {-1.772454f, -3.06998f, -3.963327f, -4.689472f},
   {-1.882934f, -3.191903f, -4.026704f, -4.549475f},

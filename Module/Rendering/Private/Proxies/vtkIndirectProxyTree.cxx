@@ -105,7 +105,7 @@ void vtkIndirectProxyTree::Split(
 }
 
 //------------------------------------------------------------------------------
-// The sphere that contains all others of a group; `end` if there is none.
+// Returns the sphere that contains all others of a group; `end` if there is none.
 size_t vtkIndirectProxyTree::FindHolding(
   const std::vector<vtkIndirectProxySphere>& spheres, size_t first, size_t end) const
 {

@@ -38,21 +38,21 @@ public:
     float Bound; // radius about its centre that bounds the entry and its descendants
   };
   /**
-   * A sphere whose light represents that of its neighbours, too. Its position is on one of them:
-   * between spheres that are far apart there is more light than on any of them.
+   * This is a sphere whose light represents that of its neighbours, too. Its position is on one
+   * of them: between spheres that are far apart there is more light than on any of them.
    */
   struct Sender
   {
     glm::vec3 Center;
     float Radius;
   };
-  /** A range of senders whose mean an entry sends. */
+  /** This is a range of senders whose mean an entry sends. */
   struct Mean
   {
     int First;
     int Count;
   };
-  /** A bounding box of the regions of VTKI_ROW_LENGTH entries. */
+  /** This is a bounding box of the regions of VTKI_ROW_LENGTH entries. */
   struct Block
   {
     glm::vec3 Lower;
@@ -66,7 +66,7 @@ public:
    */
   void Build(const std::vector<vtkIndirectProxySphere>& spheres, double angle, double reach);
 
-  /** True if there are groups: entries with children. */
+  /** Returns true if there are groups: entries with children. */
   bool HasGroups() const { return !this->Nodes.empty(); }
   const std::vector<Entry>& GetEntries() const { return this->Entries; }
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }

@@ -17,7 +17,8 @@ namespace
 {
 constexpr int TexelsPerRow = vtkIndirectKernels::VTKI_ROW_LENGTH;
 
-// Rows of a table. Powers of two: small changes of the number of entries keep the textures.
+// Returns the rows of a table. Powers of two: small changes of the number of entries keep the
+// textures.
 int FindRows(size_t entries)
 {
   int rows = 1;

@@ -25,12 +25,12 @@ public:
   static void SetTexelSize(
     const vtkIndirectProgram& program, const char* name, const vtkIndirectTarget& table);
 
-  /** The polygons that send light: the largest of those given to Update. */
+  /** Returns the polygons that send light: the largest of those given to Update. */
   const std::vector<vtkIndirectProxyPolygon>& GetPolygons() const { return this->Polygons; }
   bool HasGroups() const { return this->HasAnyGroups; }
   int GetNumberOfEntries() const { return this->NumberOfEntries; }
   int GetNumberOfSenders() const { return this->NumberOfSenders; }
-  /** Number of the first sender that is a place of a polygon. */
+  /** Returns the number of the first sender that is a place of a polygon. */
   int GetFirstPlace() const { return this->FirstPlace; }
   const vtkIndirectTarget& GetEntries() const { return this->Rows; }
   const vtkIndirectTarget& GetSenders() const { return this->Senders; }

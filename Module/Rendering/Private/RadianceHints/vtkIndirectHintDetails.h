@@ -36,9 +36,9 @@ struct vtkIndirectHintDetails
   // hemisphere as wide as a cell's diagonal.
   int NumberOfLookups = 1;
 
-  /** The details of a pass; tests change them one by one. */
+  /** Returns the details of a pass; tests change them one by one. */
   static vtkIndirectHintDetails& Of(const vtkRadianceHintsPass* pass) { return *pass->Details; }
-  /** The choices of the preset PAPER. */
+  /** Returns the choices of the preset PAPER. */
   static vtkIndirectHintDetails OfPaper()
   {
     vtkIndirectHintDetails details;

@@ -47,7 +47,7 @@ std::string Define(const std::string& name, int value)
   return "#define " + name + " " + std::to_string(value) + "\n";
 }
 
-// Common definitions of stages with fields; grids: their number.
+// Returns the common definitions of stages with fields; grids: their number.
 std::string GetDefinitions(int layout, bool occupancy, int grids)
 {
   return Define("VTKI_HINT_LAYOUT", layout) + Define("VTKI_GRIDS", grids) +

@@ -45,7 +45,7 @@ public:
   void ActivateLookup(const Input& input, const Settings& settings, vtkIndirectHintGrid& grid,
     const vtkIndirectProgram& program);
 
-  /** Textures of the current field, four floats a hint; empty before the first Fill. */
+  /** Returns the textures of the current field, four floats a hint; empty before the first Fill. */
   std::vector<std::vector<float>> ReadBack() const;
   int GetLayout() const { return this->Layout; }
 

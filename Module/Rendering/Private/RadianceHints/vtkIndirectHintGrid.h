@@ -26,7 +26,7 @@ class vtkIndirectHintGrid : public vtkIndirectResource
 {
 public:
   static constexpr int RowLength = vtkIndirectKernels::VTKI_ROW_LENGTH;
-  /** Rays of all hints: 1 GiB in main memory, and as much in the texture. */
+  /** These are the rays of all hints: 1 GiB in main memory, and as much in the texture. */
   static constexpr double MaximumNumberOfHits = 268435456.0;
 
   /** Box (scene units) and hints along each axis. */
@@ -35,7 +35,7 @@ public:
     glm::dvec3 Lower{ 0.0 };
     glm::dvec3 Upper{ 0.0 };
     glm::ivec3 Size{ 1 };
-    /** The edges of a cell, scene units. */
+    /** Returns the edges of a cell, scene units. */
     glm::dvec3 GetCell() const { return (this->Upper - this->Lower) / glm::dvec3(this->Size); }
     bool operator==(const Region& other) const
     {
@@ -58,7 +58,7 @@ public:
     }
   };
 
-  /** A side of a surface that rays can meet. */
+  /** This is a side of a surface that rays can meet. */
   struct Surfel
   {
     glm::vec3 Position;
@@ -95,7 +95,7 @@ public:
   int GetNumberOfRays() const { return this->Current.NumberOfRays; }
   glm::dvec3 GetCell(int grid) const;
 
-  // For tests.
+  // Only tests call the next functions.
   const std::vector<glm::vec4>& GetHints() const { return this->Hints; }
   const std::vector<Surfel>& GetSurfels() const { return this->Surfels; }
   unsigned char GetMask(int grid, const glm::ivec3& voxel) const;

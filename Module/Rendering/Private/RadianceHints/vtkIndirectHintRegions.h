@@ -20,7 +20,7 @@ struct vtkIndirectHintRegions
   bool HasFine = false;
   double FineExtent = 0.4;
 
-  /** The coarse grid, and the fine one if there is one. */
+  /** Returns the coarse grid, and the fine one if there is one. */
   std::vector<vtkIndirectHintGrid::Region> Find(const vtkIndirectFrame& frame) const;
 
 private:

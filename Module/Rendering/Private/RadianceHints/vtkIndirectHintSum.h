@@ -26,11 +26,11 @@ public:
   size_t GetMainMemoryBytes() const override { return this->Grid.GetMainMemoryBytes(); }
   void AddToReport(vtkIndirectReport& report) const override;
 
-  /** The irradiance of the last frame at every Step-th pixel. */
+  /** Returns the irradiance of the last frame at every Step-th pixel. */
   const vtkIndirectReceiverGrid& GetCoarse() const { return this->Coarse[this->CoarseNow]; }
 
-  /** Place of a hint in scene units and its field: `Order` squared numbers each for three colours,
-   * first the reds; order 3 in RGB only. For tests. */
+  /** This is the place of a hint in scene units and its field: `Order` squared numbers each for
+   * three colours, first the reds; order 3 in RGB only. For tests. */
   struct Hint
   {
     double Position[3];
@@ -46,7 +46,10 @@ protected:
   void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  /** The tolerance that the grid is chosen by when so much is asked for; 0: the user chose it. */
+  /**
+   * Returns the tolerance that the grid is chosen by when so much is asked for; 0: the user chose
+   * it.
+   */
   double FindErrorTolerance(double asked) const;
   bool UpdateGeometry(const Input& input);
   bool UpdateLight(const Input& input, bool anew);

@@ -10,7 +10,7 @@
 class vtkIndirectHintSurfaces
 {
 public:
-  /** A place that a ray meets; coordinates count voxels. */
+  /** This is a place that a ray meets; coordinates count voxels. */
   struct Hit
   {
     glm::dvec3 Position{ 0.0 };
@@ -18,10 +18,10 @@ public:
     glm::dvec3 Albedo{ 0.0 }; // over pi where VTK divides by pi
   };
 
-  /** Greatest distance of a surface's hit from its plane, in voxels. */
+  /** This is the greatest distance of a surface's hit from its plane, in voxels. */
   static constexpr double PlaneDepth = 0.3;
 
-  /** For a volume of this many voxels. */
+  /** The volume has this many voxels along its axes. */
   explicit vtkIndirectHintSurfaces(const glm::ivec3& size);
 
   /** Adds a hit; returns the number of its surface. */

@@ -26,8 +26,8 @@ public:
     vtkIndirectTarget& irradiance);
 
   /**
-   * Share of the last frame's irradiance that splats cut off, by luminance, over the pixels of the
-   * sum; 0 without a sum. Reads the sum back, once a frame.
+   * Returns the share of the last frame's irradiance that splats cut off, by luminance, over the
+   * pixels of the sum; 0 without a sum. Reads the sum back, once a frame.
    */
   double FindShare() const;
 

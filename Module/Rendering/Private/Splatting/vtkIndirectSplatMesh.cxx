@@ -104,7 +104,7 @@ void vtkIndirectSplatMesh::Create(vtkOpenGLRenderWindow* window)
   {
     for (int c = 0; c < 3; ++c)
     {
-      // Rounded outwards.
+      // The corner is rounded outwards.
       corners.push_back(static_cast<float>(corner[c] * (1.0 + 1e-6)));
     }
   };

@@ -20,9 +20,9 @@ public:
   };
 
   /**
-   * An icosahedron whose faces are split into four each, enlarged until it encloses the unit ball:
-   * 42 corners, 80 triangles. An affine map preserves that, so it encloses any ellipsoid that the
-   * ball is mapped to.
+   * Returns an icosahedron whose faces are split into four each, enlarged until it encloses the
+   * unit ball: 42 corners, 80 triangles. An affine map preserves that, so it encloses any ellipsoid
+   * that the ball is mapped to.
    */
   static Polyhedron MakePolyhedron();
 

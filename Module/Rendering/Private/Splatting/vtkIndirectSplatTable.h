@@ -32,7 +32,7 @@ public:
   /** Definitions for shaders that read the table: lights have lobes, splats fade. */
   std::string GetDefinitions(bool lobes) const;
 
-  /** Centre and half length, axis and half width; also of lobes if lights have them. */
+  /** Returns the centre and half length, axis and half width; also of lobes if lights have them. */
   const vtkIndirectTarget& GetBounds() const { return this->Bounds; }
 
 protected:

@@ -18,7 +18,7 @@
 class vtkIndirectAreaClusters
 {
 public:
-  /** A rectangle of pixels of equal size, in scene units. */
+  /** This is a rectangle of pixels of equal size, in scene units. */
   struct Image : vtkIndirectRectangle
   {
     using vtkIndirectRectangle::vtkIndirectRectangle;

@@ -30,7 +30,7 @@ namespace
 // Orders [first, end) so that each direction is the farthest from all directions before it.
 void SpreadOut(std::vector<glm::dvec3>& directions, size_t first, size_t end)
 {
-  // Cosine to the nearest direction before.
+  // Each direction has the cosine to the nearest direction before it.
   std::vector<double> nearest(end, -1.0);
   auto add = [&](size_t added, size_t from)
   {

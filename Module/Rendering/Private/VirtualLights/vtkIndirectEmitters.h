@@ -27,7 +27,7 @@ namespace vtkIndirectEmitters
 {
 using List = std::vector<vtkIndirectEmitter>;
 
-/** Number of groups of directions of the sky, without those of one direction. */
+/** This is the number of groups of directions of the sky, without those of one direction. */
 constexpr int NumberOfSkyGroups = 32;
 
 /**

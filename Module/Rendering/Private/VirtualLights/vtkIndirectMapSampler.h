@@ -17,7 +17,10 @@ public:
   explicit vtkIndirectMapSampler(vtkVirtualLightSampler* owner = nullptr);
   ~vtkIndirectMapSampler() override;
 
-  /** A rectangle of texels that lights are drawn from: a face of a map, or the geometry buffer. */
+  /**
+   * This is a rectangle of texels that lights are drawn from: a face of a map, or the geometry
+   * buffer.
+   */
   struct Source
   {
     int Layer = 0;

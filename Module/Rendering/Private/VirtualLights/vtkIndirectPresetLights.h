@@ -30,8 +30,8 @@ struct vtkIndirectDistantLight
 };
 
 /**
- * The albedo of the surfaces that the lights shine on, as far as their colours are known; zero:
- * unknown.
+ * This is the albedo of the surfaces that the lights shine on, as far as their colours are known;
+ * zero: unknown.
  */
 struct vtkIndirectPresetAlbedo
 {

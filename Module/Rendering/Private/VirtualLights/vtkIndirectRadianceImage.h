@@ -13,7 +13,8 @@ class vtkIndirectRadianceImage
 {
 public:
   /**
-   * The greatest radiance: sums of squares of greater ones, and of images of them, overflow floats.
+   * This is the greatest radiance: sums of squares of greater ones, and of images of them, overflow
+   * floats.
    */
   static constexpr double MostRadiance = 1e18;
 

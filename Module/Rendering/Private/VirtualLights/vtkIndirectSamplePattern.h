@@ -10,7 +10,7 @@
 
 namespace vtkIndirectSamplePattern
 {
-/** The area of a disk over that of the square around it. */
+/** This is the area of a disk over that of the square around it. */
 constexpr double DiskShare = 0.78539816339744831;
 
 /**
@@ -108,7 +108,7 @@ inline glm::dvec2 ScrambledPoint(std::uint32_t i, std::uint32_t seed)
 }
 ///@}
 
-/** The generator PCG32, O'Neill 2014; numbers in [0,1). */
+/** This is the generator PCG32, O'Neill 2014; numbers in [0,1). */
 class Random
 {
 public:

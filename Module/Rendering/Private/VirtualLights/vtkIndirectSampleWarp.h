@@ -25,10 +25,10 @@ public:
   explicit vtkIndirectSampleWarp(vtkIndirectResource* owner);
 
   /**
-   * Largest number of cells along the edge of a chart: one texel represents several texels of
-   * larger maps. Drawing from all of 512 x 512 takes Mesa's llvmpipe 18 ms each time that a map
-   * changes, from 1024 x 1024 directions 86 ms; the surfaces that this size resolves too coarsely
-   * send a thousandth of the flux.
+   * This is the largest number of cells along the edge of a chart: one texel represents several
+   * texels of larger maps. Drawing from all of 512 x 512 takes Mesa's llvmpipe 18 ms each time that
+   * a map changes, from 1024 x 1024 directions 86 ms; the surfaces that this size resolves too
+   * coarsely send a thousandth of the flux.
    */
   static constexpr int MostCells = 256;
 
@@ -42,7 +42,7 @@ public:
   /** Binds the samples in place of a pattern. */
   void Activate(const vtkIndirectProgram& program) const { this->Samples.Activate(0, program); }
 
-  /** Cells along the edge of a chart, after Update. */
+  /** Returns the cells along the edge of a chart, after Update. */
   int GetCells() const { return this->Cells; }
 
 protected:
@@ -58,7 +58,7 @@ private:
     int parity, const vtkIndirectProgram& program, const char* lit, const char* flux) const;
   int FindLevelWidth(int level) const { return this->Columns * (this->Cells / 2) >> level; }
 
-  // The inputs of the nodes.
+  // These are the inputs of the nodes.
   vtkMTimeType MapTime = 0;
   bool WithFlux = false;
   double Occlusion = 0.0;

@@ -26,7 +26,7 @@ struct vtkIndirectFurtherSenders;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
 
-/** The properties of a sampler that the rest of a frame depends on. */
+/** These are the properties of a sampler that the rest of a frame depends on. */
 struct vtkIndirectSamplerAbilities
 {
   /**
@@ -48,7 +48,7 @@ public:
   /** The pointer also holds the vtkVirtualLightSampler if the lights are made for one. */
   using Pointer = std::shared_ptr<vtkIndirectSampler>;
 
-  /** The data that a frame's lights are made from. */
+  /** This is the data that a frame's lights are made from. */
   struct Input
   {
     const vtkIndirectFrame& Frame;
@@ -59,9 +59,11 @@ public:
     bool Interactive = false; // the window's rate is a frame a second or more
     /** The sky and area lights, which light surfaces besides the frame's lights. */
     const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
-    /** The scene's surfaces, up to date for samplers that walk. */
+    /** These are the scene's surfaces, up to date for samplers that walk. */
     const vtkIndirectSurfaces* Surfaces = nullptr;
-    /** Senders of later bounces, for samplers that take senders; null: there are none. */
+    /**
+     * These are the senders of later bounces, for samplers that take senders; null: there are none.
+     */
     const vtkIndirectFurtherSenders* Further = nullptr;
   };
 
@@ -83,10 +85,10 @@ public:
     LobeDirectionExponent, // unit direction of the greatest radiance; exponent
     LobeDensityArea        // flux over the hemisphere, in the unit of DensityArea's; 0
   };
-  /** Lights in a row of the table. */
+  /** These are the lights in a row of the table. */
   static constexpr int RowLength = 256;
 
-  /** A light's row of the table, in scene units. */
+  /** This is a light's row of the table, in scene units. */
   struct Row
   {
     double Position[3];

@@ -29,7 +29,7 @@ public:
     glm::vec3 Reflected; // density times area, under a light of strength one
     int Map;
     float Smoothing = 1.0f; // contact softening of its leaf over the leaf's area
-    // The lobe of specular reflection, if there is one.
+    // This is the lobe of specular reflection, if there is one.
     glm::vec3 LobeDirection{ 0.0f, 0.0f, 1.0f };
     float LobeExponent = 0.0f;
     glm::vec3 LobeReflected{ 0.0f };
@@ -45,9 +45,9 @@ public:
     double Shift = 0.0;     // distance from its place to the origin of its light, in lengths of the
                             // normal
     /**
-     * The area that softens contacts with nearby receivers (vtkiFindPatchLight): that of the leaves
-     * around the receivers, so that nodes that are seen as a whole from farther off add up with
-     * these leaves.
+     * This is the area that softens contacts with nearby receivers (vtkiFindPatchLight): that of
+     * the leaves around the receivers, so that nodes that are seen as a whole from farther off add
+     * up with these leaves.
      */
     double ContactSoftening = 1.0;
     glm::dvec3 DensityArea{ 0.0 };
@@ -114,7 +114,7 @@ public:
   size_t GetBytes() const;
 
 private:
-  // Three axes of place, three of the normal, one of the brightness.
+  // A sender has three coordinates of its place, three of its normal, one of its brightness.
   static constexpr int NumberOfAxes = 7;
   struct Entry
   {
@@ -158,7 +158,7 @@ private:
   std::vector<Cluster> Clusters;
 };
 
-/** Senders of surfaces that are not in the maps. */
+/** These are the senders of surfaces that are not in the maps. */
 struct vtkIndirectFurtherSenders
 {
   /** Map: the number, from zero, of a set of senders that covers each surface once. */

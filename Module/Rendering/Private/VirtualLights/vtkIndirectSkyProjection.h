@@ -21,8 +21,9 @@ public:
     std::vector<size_t> Nearest;        // nearest direction of each of the environment's cells
     std::vector<glm::dvec3> Light;      // light of directions: radiance times solid angle
     /**
-     * Unit directions that the light comes from: the middle of narrow light, such as a sun's;
-     * otherwise the lattice's direction itself, so that a turning sky changes weights alone.
+     * These are the unit directions that the light comes from: the middle of narrow light, such as
+     * a sun's; otherwise the lattice's direction itself, so that a turning sky changes weights
+     * alone.
      */
     std::vector<glm::dvec3> Middles;
     double Total = 0.0; // light of all directions, summed over the colours

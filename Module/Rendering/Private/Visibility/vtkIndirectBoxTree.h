@@ -32,7 +32,7 @@ public:
       return e.x * e.y + e.y * e.z + e.z * e.x;
     }
   };
-  /** A node; two children lie side by side. */
+  /** This is a node; two children lie side by side. */
   struct Part
   {
     Box Bounds;
@@ -40,7 +40,7 @@ public:
     uint32_t Count = 0; // number of a leaf's boxes; 0: not a leaf
   };
 
-  /** Largest number of levels. */
+  /** This is the largest number of levels. */
   static constexpr int Deepest = 64;
 
   explicit vtkIndirectBoxTree(std::vector<Box> boxes);

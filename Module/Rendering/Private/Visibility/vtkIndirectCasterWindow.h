@@ -41,7 +41,7 @@ public:
 private:
   using Box = std::array<glm::dvec3, 8>;
 
-  // The part of a view that boxes cover.
+  // This is the part of a view that boxes cover.
   struct Part
   {
     glm::dvec2 Lower{ std::numeric_limits<double>::infinity() }; // tangents

@@ -95,7 +95,7 @@ protected:
   void ReleaseOwn(vtkWindow* window) override;
 
 private:
-  // A tile as it was drawn.
+  // This is a tile as it was drawn.
   struct Drawing
   {
     vtkIndirectDepthTile Tile;
@@ -106,7 +106,7 @@ private:
   void FindTilesToDraw(const std::vector<Map>& maps, size_t count);
   std::vector<int> TakeTiles(size_t most);
   int CountMostTiles(int texels, int edge, double memory) const;
-  // A view of a tile that is to be drawn.
+  // This is a view of a tile that is to be drawn.
   struct View
   {
     int Tile;

@@ -21,7 +21,7 @@ struct vtkIndirectReport;
 class vtkIndirectDepthMaps
 {
 public:
-  /** The clients, in the order in which a frame draws their maps. */
+  /** These are the clients, in the order in which a frame draws their maps. */
   enum ClientType
   {
     PENUMBRAE, // points of lights that have a size

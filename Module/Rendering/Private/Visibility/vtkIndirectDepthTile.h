@@ -20,7 +20,9 @@ struct vtkIndirectDepthTile
   double Near = 0.0;           // scene units along Forward
   double Far = 1.0;
 
-  /** The extent of a strip, in tangents along its own axes; a strip without width is empty. */
+  /**
+   * This is the extent of a strip, in tangents along its own axes; a strip without width is empty.
+   */
   struct Strip
   {
     glm::dvec2 HalfWidth{ 0.0 };
@@ -31,8 +33,8 @@ struct vtkIndirectDepthTile
     }
   };
   /**
-   * The strips of a perspective tile. They show the directions beside the view ahead down to the
-   * emitter's horizon: to the right, left, up and down, from -1 to 1 across.
+   * These are the strips of a perspective tile. They show the directions beside the view ahead down
+   * to the emitter's horizon: to the right, left, up and down, from -1 to 1 across.
    */
   std::array<Strip, 4> Strips;
   double StripNear = 0.0; // scene units along a strip's axis

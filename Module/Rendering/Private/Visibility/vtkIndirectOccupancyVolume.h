@@ -60,8 +60,8 @@ public:
 
   bool IsEmpty() const { return this->NumberOfTriangles == 0; }
   /**
-   * True if occupied voxels hold all that the last Update's frame can draw. False with glyphs,
-   * impostors, lines, points, levels of detail, or shaders of the user's own.
+   * Returns true if occupied voxels hold all that the last Update's frame can draw. False with
+   * glyphs, impostors, lines, points, levels of detail, or shaders of the user's own.
    */
   bool HoldsAll() const { return this->AllIsHeld; }
   const glm::ivec3& GetSize() const { return this->Size; }
@@ -75,9 +75,9 @@ public:
     return this->Origin + this->VoxelSize * voxels;
   }
   bool IsOccupied(const glm::ivec3& voxel) const;
-  /** True if any voxel from lower to upper, both included, is occupied. */
+  /** Returns true if any voxel from lower to upper, both included, is occupied. */
   bool IsAnyOccupied(const glm::ivec3& lower, const glm::ivec3& upper) const;
-  /** True if the segment between two points (voxel coordinates) meets no occupied voxel. */
+  /** Returns true if the segment between two points (voxel coordinates) meets no occupied voxel. */
   bool IsFree(const glm::vec3& start, const glm::vec3& end) const;
   size_t GetNumberOfOccupiedVoxels() const;
   /** Returns the columns by x + GetSize().x y; bit z of a column is a voxel. */
@@ -88,7 +88,7 @@ public:
   /** Returns the mean albedo of all surfaces, weighted by area, after KeepSurfaces. */
   const glm::dvec3& GetMeanAlbedo() const { return this->MeanAlbedo; }
 
-  /** A prop that blocks no light in the volume, and the reason. */
+  /** This is a prop that blocks no light in the volume, and the reason. */
   struct LeftOutProp
   {
     const vtkProp* Prop;

@@ -27,7 +27,7 @@ public:
   bool Choose(
     const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view, int number, int texels);
 
-  /** True if no level is drawn. */
+  /** Returns true if no level is drawn. */
   bool IsEmpty() const;
   const std::vector<vtkIndirectMeshParts::Level>& GetLevels(size_t number) const
   {

@@ -56,8 +56,8 @@ glm::dmat3 FindNormalMatrix(const glm::dmat4& matrix)
   return glm::transpose(glm::inverse(glm::dmat3(matrix)));
 }
 
-// True if an actor draws nothing but its data's polygons and strips. Derived classes may draw
-// anything. The caller looks for lines and vertices, which lie off the triangles.
+// Returns true if an actor draws nothing but its data's polygons and strips. Derived classes may
+// draw anything. The caller looks for lines and vertices, which lie off the triangles.
 bool DrawsPolygonsAlone(vtkActor* actor, vtkMapper* mapper)
 {
   static const char* const mappers[] = { "vtkOpenGLPolyDataMapper", "vtkCompositePolyDataMapper",
@@ -70,8 +70,8 @@ bool DrawsPolygonsAlone(vtkActor* actor, vtkMapper* mapper)
     !shaders->HasGeometryShaderCode();
 }
 
-// True if a mapper draws the polygons of its data; other mappers draw glyphs, impostors or splats
-// at the points of their data.
+// Returns true if a mapper draws the polygons of its data; other mappers draw glyphs, impostors or
+// splats at the points of their data.
 bool DrawsPolygons(vtkMapper* mapper)
 {
   return (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkCompositePolyDataMapper") ||
@@ -80,7 +80,8 @@ bool DrawsPolygons(vtkMapper* mapper)
     !mapper->IsA("vtkPointGaussianMapper");
 }
 
-// True if a block shows scalars (VTK 9.3 and later) or a texture (9.6 and later) of its own.
+// Returns true if a block shows scalars (VTK 9.3 and later) or a texture (9.6 and later) of its
+// own.
 bool HasOwnScalars([[maybe_unused]] vtkDataObject* object,
   [[maybe_unused]] vtkCompositeDataDisplayAttributes* attributes)
 {

@@ -58,7 +58,7 @@ public:
   static bool ReadGlyphs(const vtkIndirectFrame& frame, vtkActor* actor, const glm::dmat4& toWorld,
     size_t& mostTriangles, const Taker& take);
 
-  /** True if VTK culls the faces that are seen from this side. */
+  /** Returns true if VTK culls the faces that are seen from this side. */
   bool Culls(bool front) const { return front ? this->CullsFront : this->CullsBack; }
   /** Returns the albedo at a place on a triangle. */
   glm::dvec3 FindAlbedo(const vtkIndirectMaterial::Place& place) const;

@@ -44,7 +44,7 @@ public:
   };
   struct Settings
   {
-    /** The wanted number of vertices, approximately, of bounces First to Last. */
+    /** This is the wanted number of vertices, approximately, of bounces First to Last. */
     int NumberOfVertices = 1000;
     int FirstBounce = 1;
     int LastBounce = 1;

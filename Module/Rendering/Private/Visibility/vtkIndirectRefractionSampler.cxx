@@ -101,7 +101,7 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
     std::abs(axis.x) < 0.7 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
   const glm::dvec3 right = glm::normalize(glm::cross(axis, other));
   const glm::dvec3 up = glm::cross(right, axis);
-  // A tangent, or a length for a directional light.
+  // The half width is a tangent, or the length for a directional light.
   const double halfWidth =
     light.Positional ? radius / std::sqrt(distance * distance - radius * radius) : radius;
   const int edge = std::max(2, static_cast<int>(std::sqrt(2.0 * this->NumberOfLights) + 0.5));

@@ -21,9 +21,11 @@ class vtkOpenGLRenderWindow;
 class vtkIndirectSphereGrid : public vtkIndirectResource
 {
 public:
-  /** Cells along an edge at most: no OpenGL has smaller three-dimensional textures. */
+  /**
+   * These are the cells along an edge at most: no OpenGL has smaller three-dimensional textures.
+   */
   static constexpr int MaximumSize = 256;
-  /** Spheres in a row of the table that shaders read. */
+  /** These are the spheres in a row of the table that shaders read. */
   static constexpr int RowLength = 1024;
   /** Entries of all lists together, by default: 128 MB. */
   static constexpr size_t MaximumNumberOfEntries = size_t(1) << 23;
@@ -53,8 +55,8 @@ public:
   }
 
   /**
-   * True if no sphere blocks the segment between two places (scene units), by the shaders' own
-   * kernel. steps, if given, receives the rounds of a shader's loop: one for each cell and each
+   * Returns true if no sphere blocks the segment between two places (scene units), by the shaders'
+   * own kernel. steps, if given, receives the rounds of a shader's loop: one for each cell and each
    * sphere on the segment.
    */
   bool IsFree(const glm::dvec3& start, const glm::dvec3& end, int* steps = nullptr) const;

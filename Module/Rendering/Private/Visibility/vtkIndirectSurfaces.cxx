@@ -13,7 +13,7 @@
 
 namespace
 {
-// True if the mapper draws spheres alone, which are in the list of spheres.
+// Returns true if the mapper draws spheres alone, which are in the list of spheres.
 bool IsOfSpheres(const vtkIndirectBlockingSpheres* spheres, const vtkMapper* mapper)
 {
   return spheres &&

@@ -29,10 +29,13 @@ struct vtkIndirectFrame;
 class vtkIndirectSurfaces
 {
 public:
-  /** The triangles of all glyphs together, at most; rays pass through the glyphs beyond them. */
+  /**
+   * These are the triangles of all glyphs together, at most; rays pass through the glyphs beyond
+   * them.
+   */
   static constexpr size_t MostTrianglesOfGlyphs = size_t(1) << 21;
 
-  /** A place on a surface, in scene units. */
+  /** This is a place on a surface, in scene units. */
   struct Meeting
   {
     glm::dvec3 Position{ 0.0 };

@@ -18,7 +18,7 @@
 class vtkIndirectTriangleTree
 {
 public:
-  /** The place at which a ray first meets a triangle or a sphere. */
+  /** This is the place at which a ray first meets a triangle or a sphere. */
   struct Hit
   {
     uint32_t Triangle = None; // how many triangles and spheres had been given before this one
@@ -43,9 +43,9 @@ public:
   void Finish();
 
   /**
-   * True if a triangle or a sphere crosses the segment between its ends. A triangle that an end
-   * lies on, and a sphere that an end lies on or in, does not count: a surface hides none of its
-   * own light. Both sides of a triangle block.
+   * Returns true if a triangle or a sphere crosses the segment between its ends. A triangle that an
+   * end lies on, and a sphere that an end lies on or in, does not count: a surface hides none of
+   * its own light. Both sides of a triangle block.
    */
   bool IsBlocked(const glm::dvec3& start, const glm::dvec3& end) const;
 

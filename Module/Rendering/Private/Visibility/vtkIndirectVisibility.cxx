@@ -296,8 +296,8 @@ double vtkIndirectVisibility::FindRounds() const
 }
 
 //------------------------------------------------------------------------------
-// True if not even one row of lights would have enough rounds: then a round is four steps through
-// the lists, which is slower where fewer steps are enough.
+// Returns true if not even one row of lights would have enough rounds: then a round is four steps
+// through the lists, which is slower where fewer steps are enough.
 bool vtkIndirectVisibility::TakesLongSteps() const
 {
   return this->WalksSpheres() && vtkIndirectSampler::RowLength * this->FindRounds() > MostRounds;

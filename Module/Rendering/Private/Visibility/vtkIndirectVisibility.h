@@ -30,15 +30,15 @@ public:
   using Needs = vtkIndirectVisibilityNeeds;
 
   /**
-   * The number of senders that a shader may test from one place in one draw. Mesa's llvmpipe ends
-   * all loops of an invocation after 65535 rounds together, and a round is a sender or four steps
-   * on the way to it. This number leaves 124 steps a sender, four times what rooms need; there are
-   * fewer senders where spheres need more steps. An estimator with more senders sums in several
-   * draws. The number is a multiple of vtkIndirectSampler::RowLength.
+   * This is the number of senders that a shader may test from one place in one draw. Mesa's
+   * llvmpipe ends all loops of an invocation after 65535 rounds together, and a round is a sender
+   * or four steps on the way to it. This number leaves 124 steps a sender, four times what rooms
+   * need; there are fewer senders where spheres need more steps. An estimator with more senders
+   * sums in several draws. The number is a multiple of vtkIndirectSampler::RowLength.
    */
   static constexpr int MaximumNumberOfSegments = 2048;
   int GetMaximumNumberOfSegments() const;
-  /** The same where no segments are walked: a round a sender, and room for other loops. */
+  /** This is the same where no segments are walked: a round a sender, and room for other loops. */
   static constexpr int MaximumNumberOfSenders = 16384;
   int GetMaximumNumberOfSenders() const
   {
@@ -48,15 +48,15 @@ public:
   vtkIndirectVisibility(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
   ~vtkIndirectVisibility() override;
 
-  /** The data that visibility is made from. */
+  /** This is the data that visibility is made from. */
   struct Input
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectVirtualLights* Lights; // null where the frame has none
     bool Caching;
-    /** The scene's surfaces, up to date where they are needed. */
+    /** These are the scene's surfaces, up to date where they are needed. */
     const vtkIndirectSurfaces& Surfaces;
-    /** Spheres that mappers draw, which voxels do not hold; may be null. */
+    /** These are the spheres that mappers draw, which voxels do not hold; may be null. */
     const vtkIndirectBlockingSpheres* Spheres = nullptr;
   };
 
@@ -68,18 +68,18 @@ public:
   /** Lets lights without a map share maps, after maps have been drawn. */
   void UpdateSharing(const vtkIndirectFrame& frame);
 
-  /** True if senders can be hidden: visibility is wanted, and something can hide them. */
+  /** Returns true if senders can be hidden: visibility is wanted, and something can hide them. */
   bool HidesSenders() const { return this->WalksSegments() || this->LooksUpMaps(); }
-  /** True if shaders walk segments, which limits the number of senders in a draw. */
+  /** Returns true if shaders walk segments, which limits the number of senders in a draw. */
   bool WalksSegments() const { return this->WalksVoxels() || this->WalksSpheres(); }
   bool LooksUpMaps() const { return this->Current.Senders && this->Current.Maps; }
   /** Returns the depth maps of virtual lights. */
   const vtkIndirectDepthAtlas& GetMaps() const { return this->Atlas; }
-  /** True if shaders walk through voxels, or through lists of spheres. */
+  /** Returns true if shaders walk through voxels, or through lists of spheres. */
   bool WalksVoxels() const;
   bool WalksSpheres() const;
   /**
-   * True if the surfaces themselves hide senders: exact visibility is wanted, and there are
+   * Returns true if the surfaces themselves hide senders: exact visibility is wanted, and there are
    * surfaces.
    */
   bool IsExact() const;

@@ -21,15 +21,15 @@ uniform sampler2DArray vtkiShadowMaps; // depths, then slopes, of a texel and of
 // Shape of the light map that is drawn.
 uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene units, 1 if the prop sends
 
-// Least squared sine of the angle between a facet and its shading normal; rounding error of
-// positions, and of their differences between pixels, as a share of the distance. Under a narrow
-// angle of view a pixel measures hardly more than that error, and its derivatives do not tell the
-// facet.
+// This is the least squared sine of the angle between a facet and its shading normal; rounding
+// error of positions, and of their differences between pixels, as a share of the distance. Under a
+// narrow angle of view a pixel measures hardly more than that error, and its derivatives do not
+// tell the facet.
 const float VTKI_FACET_SINE2 = 1.0e-5f;
 const float VTKI_FACET_ROUNDING = 1.0e-6f;
 
-// Pixels that a position may lie beside its ray: corners are rounded by half of 1/16 at most, which
-// is the coarsest that OpenGL allows. Lines and points lie farther.
+// These are the pixels that a position may lie beside its ray: corners are rounded by half of 1/16
+// at most, which is the coarsest that OpenGL allows. Lines and points lie farther.
 const float VTKI_MOST_BESIDE = 0.03125f;
 
 // The way from the middle of a pixel's facet to the pixel [scene units], in view coordinates; see
@@ -55,9 +55,9 @@ vec3 vtkiFindFacetWay(vec3 dx, vec3 dy, vec3 facet, vec3 normal)
   return scale > 0.0f && divergence > 0.0f ? tilt * inversesqrt(0.5f * scale) : vec3(0.0f);
 }
 
-// Unit normal of the facet at a position, on the side of its shading normal; the shading normal
-// itself where the two differ by less than the derivatives of the position can resolve. Sets
-// vtkiFacetWay, too.
+// Returns the unit normal of the facet at a position, on the side of its shading normal; the
+// shading normal itself where the two differ by less than the derivatives of the position can
+// resolve. Sets vtkiFacetWay, too.
 vec3 vtkiFacetNormal(vec3 position, vec3 normal)
 {
   vec3 dx = dFdx(position);
@@ -97,11 +97,12 @@ vec3 vtkiLeaveFacets(mat3x4 viewToLight, bool parallel, vec3 p, vec3 facet)
   return p + toLight * clamp(distance, 0.0f, most);
 }
 
-// A light's visibility from a position that the eye sees. viewToLight: its columns are the rows of
-// the matrix from view coordinates to the light's frame in scene units; map: first layer (-1:
-// none), projection, half width, texels; depthRange: near, far, shadow strength, number of layers;
-// projection: of the light's map, VTKI_MAP_FACES where only the map knows whether it has several
-// faces. The projection is a literal, so that the compiler drops code for other kinds of light.
+// Returns a light's visibility from a position that the eye sees. viewToLight: its columns are the
+// rows of the matrix from view coordinates to the light's frame in scene units; map: first layer
+// (-1: none), projection, half width, texels; depthRange: near, far, shadow strength, number of
+// layers; projection: of the light's map, VTKI_MAP_FACES where only the map knows whether it has
+// several faces. The projection is a literal, so that the compiler drops code for other kinds of
+// light.
 float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projection, vec3 positionVC,
   vec3 normalVC, vec3 facetNormalVC)
 {
@@ -230,10 +231,11 @@ vec2 vtkiNormalSlope(vec3 normal, vec3 place)
   return normal.xy * ((positional ? -1.0f : 1.0f) / (across < 0.0f ? min(across, -least) : max(across, least)));
 }
 
-// Depth of the plane of a triangle where the ray through the middle of the pixel meets it. A GPU
-// rounds a triangle's corners to fractions of a pixel (GL_SUBPIXEL_BITS, mostly 1/256) before it
-// interpolates, so that a position lies on the plane beside the ray. position: in view coordinates
-// [scene units]. Rays are tangents of a perspective, or places of a parallel projection.
+// Returns the depth of the plane of a triangle where the ray through the middle of the pixel meets
+// it. A GPU rounds a triangle's corners to fractions of a pixel (GL_SUBPIXEL_BITS, mostly 1/256)
+// before it interpolates, so that a position lies on the plane beside the ray. position: in view
+// coordinates [scene units]. Rays are tangents of a perspective, or places of a parallel
+// projection.
 float vtkiDepthOnRay(vec3 position)
 {
   bool parallel = vtkiDepthRange.z > 0.5f;

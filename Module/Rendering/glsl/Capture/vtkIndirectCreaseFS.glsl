@@ -7,17 +7,18 @@
 #include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectLibCrease.glsl"
 
-// Distances in the image at which the other surface is looked for, in pixels: the least, four times
-// the least and so on, up to half the reach.
+// These are the distances in the image at which the other surface is looked for, in pixels: the
+// least, four times the least and so on, up to half the reach.
 const int VTKI_CREASE_NEAR = 2;
 const int VTKI_CREASE_FAR = 8;
 const int VTKI_CREASE_FARTHEST = 64;
 // Halvings of the other surface's extent until its border is beyond.
 const int VTKI_CREASE_HALVINGS = 4;
-// Least height of another surface over the receiver's plane, over its distance in the image.
+// This is the least height of another surface over the receiver's plane, over its distance in the
+// image.
 const float VTKI_CREASE_RISE = 0.05f;
 
-// One of the eight pixels at a distance, kept within the image.
+// Returns one of the eight pixels at a distance, kept within the image.
 ivec2 vtkiPixelBeside(ivec2 pixel, int i, int distance)
 {
   int turn = i < 4 ? i : i + 1;
@@ -34,8 +35,8 @@ bool vtkiFetchNeighbor(ivec2 at, out vec3 position, out vec3 facet)
   return lit && clamp(at, ivec2(0), vtkiSize - 1) == at;
 }
 
-// True if the surface at a pixel goes on as a plane to the pixel that lies `way` further on, or at
-// the image's border beside it.
+// Returns true if the surface at a pixel goes on as a plane to the pixel that lies `way` further
+// on, or at the image's border beside it.
 bool vtkiIsFlatAround(ivec2 at, ivec2 way, vec3 position, vec3 facet)
 {
   ivec2 ahead = clamp(at + way, ivec2(0), vtkiSize - 1);
@@ -46,8 +47,8 @@ bool vtkiIsFlatAround(ivec2 at, ivec2 way, vec3 position, vec3 facet)
     vtkiIsFlat(facet, furtherFacet, further - position);
 }
 
-// The pixel that shows a place near the receiver; for places just beyond the image a pixel of its
-// border. offset: from the receiver.
+// Returns the pixel that shows a place near the receiver; for places just beyond the image a pixel
+// of its border. offset: from the receiver.
 ivec2 vtkiPixelOf(vtkiReceiver receiver, vec3 offset)
 {
   vec3 ndc = vec3(2.0f * gl_FragCoord.xy / vec2(vtkiSize) - 1.0f, 1.0f);
@@ -61,8 +62,9 @@ ivec2 vtkiPixelOf(vtkiReceiver receiver, vec3 offset)
   return max(beyond.x, beyond.y) > float(VTKI_CREASE_FAR) ? ivec2(-1) : ivec2(inside);
 }
 
-// True if a surface rises over the receiver's plane at one of eight pixels at a distance: elsewhere
-// there is no crease. In software only loops save the look-ups of pixels without a crease.
+// Returns true if a surface rises over the receiver's plane at one of eight pixels at a distance:
+// elsewhere there is no crease. In software only loops save the look-ups of pixels without a
+// crease.
 bool vtkiSurfaceRises(ivec2 pixel, vtkiReceiver receiver, bool lit, float width, int distance)
 {
   bool rises = false;

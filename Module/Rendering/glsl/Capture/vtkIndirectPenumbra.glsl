@@ -3,11 +3,11 @@
 #include "vtkIndirectLibDepthTile.glsl"
 #include "vtkIndirectLibPenumbra.glsl"
 
-// Depths of a texel, of the next texel in the row, and of the two in the next row.
+// These are the depths of a texel, of the next texel in the row, and of the two in the next row.
 uniform sampler2D vtkiPenumbraTiles;
 
-// Texels by which a GPU moves a triangle when it rounds the corners; see vtkiDepthOnRay. These maps
-// hold the depths that OpenGL writes.
+// These are the texels by which a GPU moves a triangle when it rounds the corners; see
+// vtkiDepthOnRay. These maps hold the depths that OpenGL writes.
 const float VTKI_TILE_SHIFT = 1.0f / 512.0f;
 
 // Visibility of a receiver from one point of the light (x), and its weight: 1, or 0 where the point
@@ -51,10 +51,10 @@ vec2 vtkiSeeLightPoint(float tile, vec4 map, vec4 depthRange, vec4 size, bool pa
   return counts * vec2(seen, 1.0f);
 }
 
-// A light's visibility from a position that the eye sees, as vtkiVisibility. map: first tile (-1:
-// none), projection, half width, texels; depthRange: near, far, shadow strength, tiles of a point;
-// size: radius in scene units or sine of the angular radius, 1 if nothing casts beyond the maps,
-// columns and rows of tiles in the texture.
+// Returns a light's visibility from a position that the eye sees, as vtkiVisibility. map: first
+// tile (-1: none), projection, half width, texels; depthRange: near, far, shadow strength, tiles of
+// a point; size: radius in scene units or sine of the angular radius, 1 if nothing casts beyond the
+// maps, columns and rows of tiles in the texture.
 float vtkiPenumbra(mat3x4 viewToLight, vec4 map, vec4 depthRange, vec4 size, int projection,
   vec3 positionVC, vec3 normalVC, vec3 facetNormalVC)
 {

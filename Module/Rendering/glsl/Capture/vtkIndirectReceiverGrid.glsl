@@ -18,7 +18,7 @@ float vtkiSampleDistance(float depth)
   return float(vtkiStep) * length(dx);
 }
 
-// Pixel of a sample.
+// Returns the pixel of a sample.
 ivec2 vtkiSamplePixel(ivec2 at)
 {
   return min(at * vtkiStep, vtkiSize - 1);
@@ -48,15 +48,15 @@ vtkiSample vtkiFetchSample(vtkiGridCell cell, int i)
   return found;
 }
 
-// Agreement of two receivers, between 0 and 1; distance: between samples.
+// Returns the agreement of two receivers, between 0 and 1; distance: between samples.
 float vtkiAgreement(vtkiReceiver receiver, vtkiReceiver other, float distance)
 {
   return vtkiAgreement(
     other.positionVC - receiver.positionVC, receiver.normalVC, other.normalVC, distance);
 }
 
-// True if a sample is on the receiver's surface. The normals decide as well as the facets: light
-// depends on the former, and the latter tell what a surface is.
+// Returns true if a sample is on the receiver's surface. The normals decide as well as the facets:
+// light depends on the former, and the latter tell what a surface is.
 bool vtkiIsSameSurface(vtkiReceiver receiver, vtkiSample other)
 {
   return other.lit &&

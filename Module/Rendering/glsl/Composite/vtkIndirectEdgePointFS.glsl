@@ -11,14 +11,15 @@ flat in vec2 vtkiTexel;
 flat in vec2 vtkiEdgeTexel;
 flat in ivec3 vtkiPlaces; // the viewport's origin, and the first line of columns
 
-// Word of edge bits of a line that holds a position, which may be one before the picture's first or
-// after its last. Sampled, because software samples the nearest texel faster than it fetches one.
+// Returns the word of edge bits of a line that holds a position, which may be one before the
+// picture's first or after its last. Sampled, because software samples the nearest texel faster
+// than it fetches one.
 uvec4 vtkiFetchEdges(int position, int line)
 {
   return textureLod(vtkiEdges, (vec2(float((position + 32) >> 5), float(line)) + 0.5f) * vtkiEdgeTexel, 0.0f);
 }
 
-// Four bits of each channel, beginning at a position.
+// Returns four bits of each channel, beginning at a position.
 uvec3 vtkiFetchFour(int position, int line)
 {
   uvec3 lower = vtkiFetchEdges(position, line).rgb;
@@ -37,8 +38,8 @@ float vtkiFetchRunEnd(int position, int line, int others, bool first)
   return vtkiRunEnd(four.r, four.g, four.b, first);
 }
 
-// Bits of a line's words at a position: is there an edge, and does an outline with this turn reach
-// the position from the one before.
+// Returns the bits of a line's words at a position: is there an edge, and does an outline with this
+// turn reach the position from the one before.
 bool vtkiHasEdge(uvec4 words, int position)
 {
   return ((words.r >> uint(position & 31)) & 1u) != 0u;
@@ -49,7 +50,8 @@ bool vtkiHasStep(uvec4 words, int position, int turn)
   return (((turn > 0 ? words.g : words.b) >> uint(position & 31)) & 1u) != 0u;
 }
 
-// Words of lines up to two away from an edge, clamped: lines beyond the picture have no edges.
+// Returns the words of lines up to two away from an edge, clamped: lines beyond the picture have no
+// edges.
 uvec4 vtkiFetchNear(int position, int line)
 {
   return vtkiFetchEdges(position, clamp(line, 0, textureSize(vtkiEdges, 0).y - 1));

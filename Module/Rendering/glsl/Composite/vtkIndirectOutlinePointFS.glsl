@@ -14,7 +14,7 @@ float vtkiFetchDepth(vec2 place)
   return inside ? textureLod(vtkiDepth, place, 0.0f).r : 1.0f;
 }
 
-// Outline between the pixel and the one a step before it.
+// Returns the outline between the pixel and the one a step before it.
 float vtkiFindOutline(vec2 place, vec2 step)
 {
   vec4 depth = vec4(vtkiFetchDepth(place - 2.0f * step), vtkiFetchDepth(place - step), vtkiFetchDepth(place),

@@ -2,8 +2,8 @@
 // where the texels below differ too little from their mean to matter.
 #include "vtkIndirectLibAreaLight.glsl"
 
-// Radiance, and three times the variance of the texels below, summed over the colours: at least the
-// variance of the sum of the colours. The lamps' pyramids lie above each other.
+// This is the radiance, and three times the variance of the texels below, summed over the colours:
+// at least the variance of the sum of the colours. The lamps' pyramids lie above each other.
 uniform sampler2D vtkiAreaPyramid;
 uniform float vtkiAreaTolerance;
 

@@ -38,9 +38,9 @@ layout(std140) uniform vtkiAreaBlock
 };
 uniform int vtkiAreaCount; // lamps
 
-// Irradiance of the lamps without occlusion, and the distance of the nearest lamp. front: a bit for
-// each lamp that sends light to the receiver's side of its plane. asked: false returns zero;
-// software skips loops of no rounds but takes both sides of a branch.
+// Returns the irradiance of the lamps without occlusion, and the distance of the nearest lamp.
+// front: a bit for each lamp that sends light to the receiver's side of its plane. asked: false
+// returns zero; software skips loops of no rounds but takes both sides of a branch.
 vec4 vtkiFindOpen(vtkiReceiver receiver, bool asked, out float front)
 {
   front = 0.0f;
@@ -125,7 +125,7 @@ vec3 vtkiShareOf(vec3 seen, vec3 all)
   return mix(vec3(1.0f), seen / max(all, vec3(1.0e-30f)), greaterThan(all, vec3(0.0f)));
 }
 
-// Share of all points; one if it is not asked for.
+// Returns the share of all points; one if it is not asked for.
 vec3 vtkiFindOwnShare(vtkiReceiver receiver, bool asked)
 {
   vec3 seen = vec3(0.0f);

@@ -9,16 +9,16 @@
 #endif
 const float VTKI_AREA_DISTANCES_BESIDE = 3.0f * VTKI_AREA_DISTANCES;
 
-// Least cosine between normals over which light is interpolated; other normals may be shadowed by
-// other surfaces.
+// This is the least cosine between normals over which light is interpolated; other normals may be
+// shadowed by other surfaces.
 const float VTKI_AREA_COSINE = 0.99f;
 
 // Pixels between samples.
 const int VTKI_AREA_BLOCK = 4;
 
-// True if the receiver is on the surface of a sample. The sample's plane alone decides: where
-// the receiver's own plane turns samples away, shares of the receiver alone have 1.8 times the error.
-// cosine: least cosine of the facets' normals.
+// Returns true if the receiver is on the surface of a sample. The sample's plane alone decides:
+// where the receiver's own plane turns samples away, shares of the receiver alone have 1.8 times
+// the error. cosine: least cosine of the facets' normals.
 bool vtkiIsNear(vtkiReceiver receiver, vtkiSample other, float tolerance, float cosine)
 {
   return other.lit &&

@@ -8,7 +8,7 @@ uniform sampler2D vtkiCoarserLobe;
 uniform ivec2 vtkiCoarserSize;
 uniform float vtkiCoarserEdge; // pixels along the edge of a coarser texel
 
-// The four surrounding texels above: its own, the next along x, along y, and across.
+// Returns the four surrounding texels above: its own, the next along x, along y, and across.
 ivec2 vtkiCoarserTexel(ivec2 texel, int i)
 {
   ivec2 shift = ivec2(i & 1, i >> 1) * (2 * (texel & 1) - 1);

@@ -63,7 +63,7 @@ vec4 vtkiFetchSum(ivec2 pixel)
 #endif
 }
 
-// Sum over the pixel's neighbours along the axis that lie on its surface.
+// Returns the sum over the pixel's neighbours along the axis that lie on its surface.
 vec4 vtkiSumAlong(ivec2 pixel, vtkiReceiver receiver)
 {
 #if VTKI_SKY_STEP == 1

@@ -14,8 +14,8 @@ struct vtkiTexelLobe
   vec3 densityArea; // flux of one texel, with the light's colour and intensity
 };
 
-// A texel's surface in its face's view coordinates, and its specular reflectance. Returns false if
-// it reflects nothing specularly.
+// Finds a texel's surface in its face's view coordinates, and its specular reflectance. Returns
+// false if it reflects nothing specularly.
 bool vtkiFetchMirror(int layer, ivec2 texel, vec4 map, out vec3 p, out vec3 normal, out vec3 toLight, out vec4 specular)
 {
   specular = texelFetch(vtkiMapSpecular, ivec3(texel, layer), 0);
@@ -35,8 +35,8 @@ bool vtkiFetchMirror(int layer, ivec2 texel, vec4 map, out vec3 p, out vec3 norm
   return lit && dot(normal, toLight) > 0.0f;
 }
 
-// Squared angle by which lobes turn over so many texels along an axis of the map, from a texel to
-// neighbours on the same side and surface.
+// Returns the squared angle by which lobes turn over so many texels along an axis of the map, from
+// a texel to neighbours on the same side and surface.
 float vtkiTurnOfMirror(int layer, ivec2 texel, ivec2 axis, float texels, vec4 map, vec3 p, vec3 direction)
 {
   int count = int(map.z + 0.5f);
@@ -62,9 +62,9 @@ float vtkiTurnOfMirror(int layer, ivec2 texel, ivec2 axis, float texels, vec4 ma
   return most;
 }
 
-// Lobe of a texel that represents so many texels. Its flux is the light that VTK's specular term
-// sends to all directions, in VTK units (over pi): for Phong's model ks I vtkiPhongFlux / pi, for
-// PBR the lobe's reflection of I cos, over pi.
+// Finds the lobe of a texel that represents so many texels. Its flux is the light that VTK's
+// specular term sends to all directions, in VTK units (over pi): for Phong's model ks I
+// vtkiPhongFlux / pi, for PBR the lobe's reflection of I cos, over pi.
 bool vtkiLobeFromTexel(int layer, ivec2 texel, float texels, out vtkiTexelLobe lobe)
 {
   vec4 map = texelFetch(vtkiMapTable, ivec2(VTKI_MAP_SHAPE, layer), 0);

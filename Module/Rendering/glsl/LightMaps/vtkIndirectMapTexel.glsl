@@ -12,7 +12,7 @@ uniform sampler2DArray vtkiMapSlope;
 // Far below the least cosine that a map's texel can have; keeps divisions defined.
 const float VTKI_COSINE_MIN = 1.0e-6f;
 
-// Position of a texel's surface in its face's view coordinates.
+// Returns the position of a texel's surface in its face's view coordinates.
 vec3 vtkiMapPosition(vec4 map, ivec2 texel, float depth)
 {
   vec2 centre = (vec2(texel) + 0.5f) * (2.0f * map.y / map.z) - map.y;
@@ -60,15 +60,15 @@ float vtkiMapFacetCosine(vec4 map, vec2 slope, vec3 p)
   return max(cosine, max(length(p) * texelSize, VTKI_COSINE_MIN));
 }
 
-// Least squared sine of the angle between a facet and its shading normal; the error of slopes of
-// eleven bits is smaller.
+// This is the least squared sine of the angle between a facet and its shading normal; the error of
+// slopes of eleven bits is smaller.
 const float VTKI_MAP_FACET_SINE2 = 1.0e-5f;
 // Slopes are differences of depths, which have a few roundings of a float, over texels: those of
 // narrow cones are unreliable. Twice that error.
 const float VTKI_MAP_SLOPE_ERROR = 1.0e-6f;
 
-// Normal of the facet at a texel, in the face's view coordinates: the facet sends, whichever normal
-// lights it. See vtkiMapFacetCosine.
+// Returns the normal of the facet at a texel, in the face's view coordinates: the facet sends,
+// whichever normal lights it. See vtkiMapFacetCosine.
 vec3 vtkiMapFacet(vec4 map, vec4 surface, vec2 slope, vec3 p)
 {
   vec2 tangent = p.z < 0.0f ? p.xy / -p.z : vec2(0.0f);
@@ -81,7 +81,7 @@ vec3 vtkiMapFacet(vec4 map, vec4 surface, vec2 slope, vec3 p)
   return dot(across, across) > max(VTKI_MAP_FACET_SINE2, error * error) ? facet : normal;
 }
 
-// Albedo times the ratio of the cosines at the shading and the facet's normal.
+// Returns the albedo times the ratio of the cosines at the shading and the facet's normal.
 vec3 vtkiMapReflectance(int layer, ivec2 texel, vec4 map, vec4 surface, vec3 p, float facetCosine)
 {
   bool parallel = int(map.x + 0.5f) == VTKI_MAP_PARALLEL;

@@ -61,7 +61,7 @@ float vtkiWeightAt(vtkiPoint point, float power, vec4 sender, vec3 senderNormal)
     sender.xyz - point.position, senderNormal, point.normal, point.mirror, power, sender.w);
 }
 
-// light: its number in the table.
+// Returns true if a point sees a light; `light` is its number in the table.
 bool vtkiSeesLight(vtkiPoint point, int light, vec4 sender, vec3 senderNormal)
 {
 #ifdef VTKI_VISIBILITY

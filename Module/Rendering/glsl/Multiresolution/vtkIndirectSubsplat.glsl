@@ -21,7 +21,7 @@ float vtkiDetail(vec2 ndc, vec3 normal)
 }
 #endif
 
-// Width of a pixel on a surface that faces the eye at this depth, scene units.
+// Returns the width of a pixel on a surface that faces the eye at this depth, scene units.
 float vtkiPixelWidth(float depth)
 {
   return (2.0f / float(vtkiSize.x)) * length(vtkiRayOrigin[0] + depth * vtkiRayDirection[0]);

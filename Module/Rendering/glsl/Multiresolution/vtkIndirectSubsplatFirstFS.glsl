@@ -5,8 +5,9 @@
 
 uniform sampler2D vtkiSurface;
 
-// Criteria of a corner: heights over the tangent plane in pixel widths, above rounding and below
-// those of surfaces that only overlap in the view; normals that differ by 41 degrees.
+// These are the criteria of a corner: heights over the tangent plane in pixel widths, above
+// rounding and below those of surfaces that only overlap in the view; normals that differ by 41
+// degrees.
 const float VTKI_LEAST_RISE = 0.05f;
 const float VTKI_GREATEST_RISE = 8.0f;
 const float VTKI_LEAST_TURN = 0.7f;

@@ -16,7 +16,7 @@ struct vtkiCoarser
   vec3 vectorIrradiance;
 };
 
-// trusted: skips the test of the plane.
+// Fetches a texel of the level above, whose plane is not tested if it is trusted.
 vtkiCoarser vtkiFetchCoarser(ivec2 place, vtkiTangentPlane plane, bool trusted)
 {
   ivec2 at = clamp(place, ivec2(0), vtkiCoarserSize - 1);
@@ -27,22 +27,23 @@ vtkiCoarser vtkiFetchCoarser(ivec2 place, vtkiTangentPlane plane, bool trusted)
     sampled.a > 0.0f && same, sampled.rgb, texelFetch(vtkiCoarserVector, at, 0).xyz);
 }
 
-// Difference to the nearer neighbour; if that is on another surface, to the one across, where slopes
-// continue towards an edge at which surfaces meet.
+// Returns the difference to the nearer neighbour; if that is on another surface, to the one across,
+// where slopes continue towards an edge at which surfaces meet.
 vec3 vtkiSlopeTowards(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acrossCounts)
 {
   return nearCounts ? near - own : (acrossCounts && vtkiContinuesSlopes ? own - across : vec3(0.0f));
 }
 
-// The slope of irradiance, which falls by no more than all of it: a steeper slope, continued over a
-// quarter of a texel along both axes, would end below zero in a corner and draw a black pixel.
+// Returns the slope of irradiance, which falls by no more than all of it: a steeper slope,
+// continued over a quarter of a texel along both axes, would end below zero in a corner and draw a
+// black pixel.
 vec3 vtkiIrradianceSlope(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acrossCounts)
 {
   return max(vtkiSlopeTowards(own, near, nearCounts, across, acrossCounts), -own);
 }
 
-// The same for the vector irradiance, whose continued slope is no longer than the vector: its dot
-// product with the pixel's normal is to stay positive.
+// Returns the same for the vector irradiance, whose continued slope is no longer than the vector:
+// its dot product with the pixel's normal is to stay positive.
 vec3 vtkiVectorSlope(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acrossCounts)
 {
   vec3 slope = vtkiSlopeTowards(own, near, nearCounts, across, acrossCounts);
@@ -50,9 +51,9 @@ vec3 vtkiVectorSlope(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acr
                     : min(1.0f, sqrt(dot(own, own) / max(dot(slope, slope), 1.0e-30f))) * slope;
 }
 
-// Linear along both axes from the coarser texel that holds this one; if that is missing, the mean
-// of the nearer neighbours. trusted: the own texel counts in any case. Returns false if no texel
-// counts.
+// Interpolates linearly along both axes from the coarser texel that holds this one; if that is
+// missing, the mean of the nearer neighbours. trusted: the own texel counts in any case. Returns
+// false if no texel counts.
 bool vtkiInterpolateSubsplat(ivec2 texel, vtkiTangentPlane plane, bool trusted,
   out vec3 irradiance, out vec3 vectorIrradiance)
 {

@@ -1,8 +1,8 @@
 // A leaf under a split texel: with VTKI_PIXELS a pixel, otherwise a texel of a level.
 #include "vtkIndirectSubsplatTexel.glsl"
 
-// Position, normal and facet normal in scene units and coordinates. Returns false if there is no
-// surface to evaluate.
+// Finds the position, normal and facet normal in scene units and coordinates. Returns false if
+// there is no surface to evaluate.
 bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal, out vec3 facet)
 {
   ivec2 inside = min(texel, vtkiLevelSize - 1);

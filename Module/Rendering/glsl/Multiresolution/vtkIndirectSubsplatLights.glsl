@@ -41,8 +41,9 @@ void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float softening, 
   vectorIrradiance += (strength * vtkiLuminance(density)) * light.toPlace;
 }
 
-// True if a receiver sees a light. open: see vtkiOpenPlace; light: its number in the table; both
-// are unused without VTKI_VISIBILITY. division: share of the light that comes from its branches.
+// Returns true if a receiver sees a light. open: see vtkiOpenPlace; light: its number in the table;
+// both are unused without VTKI_VISIBILITY. division: share of the light that comes from its
+// branches.
 bool vtkiSees(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density,
   float division)
 {

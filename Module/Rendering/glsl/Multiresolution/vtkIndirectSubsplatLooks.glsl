@@ -9,8 +9,8 @@ struct vtkiLooks
   bool second[4]; // true if the child takes the second look
 };
 
-// Distance of two children, which share a look if it is small. width: squared width of neighbours
-// on one surface, which scales the difference of normals to a distance.
+// Returns the distance of two children, which share a look if it is small. width: squared width of
+// neighbours on one surface, which scales the difference of normals to a distance.
 float vtkiApart(vec3 position1, vec3 normal1, vec3 position2, vec3 normal2, float width)
 {
   vec3 way = position1 - position2;

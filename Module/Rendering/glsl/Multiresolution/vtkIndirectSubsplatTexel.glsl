@@ -16,14 +16,14 @@ vec3 vtkiTexelPosition(ivec2 texel, float depth)
   return vtkiReconstruct(center, depth, vtkiRayOrigin, vtkiRayDirection);
 }
 
-// The pixel in a texel's middle.
+// Returns the pixel in a texel's middle.
 ivec2 vtkiTexelPixel(ivec2 texel)
 {
   return min(ivec2(vtkiEdge * (vec2(texel) + 0.5f)), vtkiSize - 1);
 }
 
-// The facet's normal in the middle of a texel, if that is on the texel's surface; levels store only
-// mean normals.
+// Returns the facet's normal in the middle of a texel, if that is on the texel's surface; levels
+// store only mean normals.
 vec3 vtkiTexelFacet(ivec2 texel, vec3 normalVC)
 {
   vec2 center = vtkiSubsplatCenter(vec2(texel), vtkiEdge, vec2(vtkiSize));
@@ -44,7 +44,7 @@ void vtkiEvaluateStored(
   vectorIrradiance = (vectorIrradiance * mat3(vtkiViewToScene)) * vtkiStorageScale;
 }
 
-// True if the texel and its eight neighbours are samples of one surface.
+// Returns true if the texel and its eight neighbours are samples of one surface.
 bool vtkiIsInsideSurface(ivec2 texel, vec4 surface, vec3 position, vec3 normal)
 {
   bool inside = surface.w == VTKI_SUBSPLAT_WHOLE || surface.w == VTKI_SUBSPLAT_PARTED;

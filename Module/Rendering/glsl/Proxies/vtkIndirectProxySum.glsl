@@ -9,9 +9,9 @@ uniform sampler2D vtkiProxyTable;  // a row of zonal logarithms over 1 - cos
 uniform int vtkiProxyCount;
 uniform bool vtkiProxyHides;
 uniform bool vtkiEyeIsInside; // a sphere contains the eye
-// Light that entries send and, from row vtkiSenderRow on, light that falls on senders, in pairs: a
-// + b n of each colour, a and b.x; red b.y and b.z; green, blue; the open share of the half space
-// around n, the same.
+// This is the light that entries send and, from row vtkiSenderRow on, light that falls on senders,
+// in pairs: a + b n of each colour, a and b.x; red b.y and b.z; green, blue; the open share of the
+// half space around n, the same.
 uniform sampler2D vtkiSentLight0;
 uniform sampler2D vtkiSentLight1;
 uniform int vtkiSenderRow;
@@ -46,7 +46,7 @@ vtkiProxySums vtkiNoProxies()
   return sums;
 }
 
-// The logarithm of the visibility that a disk around +z leaves, by half its sine.
+// Returns the logarithm of the visibility that a disk around +z leaves, by half its sine.
 vec4 vtkiZonalLog(float sine)
 {
   float share = vtkiProxyRow(sine);
@@ -222,8 +222,8 @@ vtkiProxySums vtkiSumProxies(vec3 position, vec3 normal, bool lit)
   return sums;
 }
 
-// Light of a receiver: from the unoccluded sky, a + b n of each colour for normals about its own;
-// and from proxies, at its own normal.
+// This is the light of a receiver: from the unoccluded sky, a + b n of each colour for normals
+// about its own; and from proxies, at its own normal.
 struct vtkiProxyLit
 {
   vec4 sky[3]; // b, a
@@ -246,7 +246,8 @@ vtkiHarmonics4 vtkiSeenLight(vtkiHarmonics4 seen, int color)
 }
 
 #ifdef VTKI_PROXY_SHADOWED
-// Mean irradiance of the places on a polygon's side, each weighted as a disk by its form factor.
+// Returns the mean irradiance of the places on a polygon's side, each weighted as a disk by its
+// form factor.
 vec3 vtkiPolygonRadiance(vec3 position, vec3 normal, vec3 side, int first, int count)
 {
   vec4 sum = vec4(0.0f);
@@ -319,7 +320,7 @@ void vtkiAddPolygons(vec3 position, vec3 normal, inout vtkiHarmonics4 seen, inou
   }
 }
 
-// The sky that remains visible. bounce: light from proxies.
+// Returns the sky that remains visible. bounce: light from proxies.
 vtkiHarmonics4 vtkiSeenSky(vec3 position, vec3 normal, vtkiProxySums sums, out vec3 bounce)
 {
   vtkiHarmonics4 seen = vtkiHarmonicsExp(sums.hidden);
@@ -356,7 +357,7 @@ vtkiProxyLit vtkiResolveProxies(vec3 position, vec3 normal, vtkiProxySums sums)
   return lit;
 }
 
-// Irradiance of the sky at a normal.
+// Returns the irradiance of the sky at a normal.
 vec3 vtkiProxyIrradiance(vec4 sky[3], vec3 normal)
 {
   vec4 n = vec4(normal, 1.0f);

@@ -44,7 +44,7 @@ vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
 #include "vtkIndirectTileBox.glsl"
 shared uint vtkiListed[VTKI_ROW_LENGTH / 32];
 
-// Sums for each invocation's receiver, if `lit`.
+// Returns the sums for each invocation's receiver, if `lit`.
 vtkiProxySums vtkiSumTile(vec3 position, vec3 normal, bool lit)
 {
   int number = int(gl_LocalInvocationIndex);

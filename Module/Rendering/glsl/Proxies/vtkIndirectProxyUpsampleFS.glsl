@@ -14,7 +14,7 @@ uniform sampler2D vtkiCoarse1;
 uniform sampler2D vtkiCoarse2;
 uniform sampler2D vtkiCoarse3; // light that proxies send
 
-// Agreement of a coarse receiver with the pixel's. distance: between receivers.
+// Returns the agreement of a coarse receiver with the pixel's. distance: between receivers.
 float vtkiCoarseAgreement(vtkiReceiver receiver, vtkiReceiver other, float distance)
 {
 #ifndef VTKI_UPSAMPLING

@@ -53,7 +53,8 @@ void vtkiAddLight(inout vtkiField f, vec3 light, vec3 direction)
 #endif
 }
 
-// Irradiance on a surface of this normal. lobes: without ringing, otherwise linear in the field.
+// Returns the irradiance on a surface of this normal. lobes: without ringing, otherwise linear in
+// the field.
 vec3 vtkiFieldIrradiance(vtkiField f, vec3 normal, bool lobes)
 {
 #if VTKI_HINT_LAYOUT == 1

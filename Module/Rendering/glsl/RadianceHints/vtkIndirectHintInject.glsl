@@ -34,7 +34,7 @@ float vtkiSeen(int hint, vec3 sender, vec3 direction)
 uniform float vtkiRange;     // scene units; scale of stored distances
 uniform float vtkiSoftening; // least area of a sender as a share of the cell's face
 
-// The hint of a fragment.
+// This is the hint of a fragment.
 struct vtkiHintPlace
 {
   int hint;

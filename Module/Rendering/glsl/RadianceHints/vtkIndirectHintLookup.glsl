@@ -4,8 +4,8 @@
 #ifdef VTKI_HINT_OCCUPANCY
 #include "vtkIndirectLibPlane.glsl"
 #include "vtkIndirectOccupancy.glsl"
-// One texel a voxel: for a free voxel the surrounding hints visible from it, one channel a grid;
-// for an occupied voxel the plane of its surface.
+// This is one texel a voxel: for a free voxel the surrounding hints visible from it, one channel a
+// grid; for an occupied voxel the plane of its surface.
 uniform sampler3D vtkiMasks;
 
 const int VTKI_ASIDE_STEPS = 2; // steps out of the voxels of two walls that meet
@@ -96,7 +96,8 @@ void vtkiAddLookup(inout vtkiField sum, inout float total, int grid, vec3 at, fl
   }
 }
 
-// Share of the finer grid at a point: whole inside, fading over its outermost two cells.
+// Returns the share of the finer grid at a point: whole inside, fading over its outermost two
+// cells.
 float vtkiFineShare(vec3 position)
 {
   vec3 inGrid = (position - vtkiGridLower1.xyz) / vtkiGridCell1.xyz;

@@ -41,8 +41,8 @@ int vtkiGridOf(int hint)
   return VTKI_GRIDS > 1 && hint >= int(vtkiGridLower1.w) ? 1 : 0;
 }
 
-// Evenly distributed numbers in [0,1)^3 for item i of a sequence that each seed starts anew:
-// additive recurrence on the generalized golden ratio (Roberts 2018) from a hashed start.
+// Returns evenly distributed numbers in [0,1)^3 for item i of a sequence that each seed starts
+// anew: additive recurrence on the generalized golden ratio (Roberts 2018) from a hashed start.
 vec3 vtkiSpread(int i, uint seed)
 {
   uint h = seed * 747796405u + 2891336453u;

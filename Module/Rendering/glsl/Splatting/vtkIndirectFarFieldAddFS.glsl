@@ -10,14 +10,14 @@
 uniform sampler2D vtkiCoarse;
 uniform sampler2D vtkiCoarseVector;
 
-// Weight of a sample on another surface, relative to one on the pixel's own. Normals must agree in
-// both cases: samples do not show lights that are below the horizon of one normal and not of the
-// other.
+// This is the weight of a sample on another surface, relative to one on the pixel's own. Normals
+// must agree in both cases: samples do not show lights that are below the horizon of one normal and
+// not of the other.
 const float VTKI_OTHER_SURFACE = 0.01f;
 // Below this sum of weights no sample serves.
 const float VTKI_LEAST_WEIGHT = 1.0e-6f;
 
-// Irradiance at the pixel from one sample; in the fourth component its weight.
+// Returns the irradiance at the pixel from one sample; in the fourth component its weight.
 vec4 vtkiFarFieldBySample(vtkiReceiver receiver, vtkiSample found)
 {
   vtkiReceiver other = found.receiver;

@@ -16,7 +16,8 @@ shared uint vtkiHighestMirror[3];
 shared uint vtkiLeastPower;
 shared uint vtkiLeastCosine; // least cosine of the mirror directions to their middle
 
-// True if any of the tile's receivers may see a light, or its branches if they are near to it.
+// Returns true if any of the tile's receivers may see a light, or its branches if they are near to
+// it.
 bool vtkiTileSeesLight(
   vec4 sender, vec4 senderNormal, vec3 middle, float radius, vec3 mirror, float cosine, float power)
 {

@@ -4,8 +4,8 @@
 #include "vtkIndirectLibSplat.glsl"
 #include "vtkIndirectSplatLow.glsl"
 
-// Intensity along the normal, in the brightest colour. With branches a light represents various
-// normals and sends some light to all sides.
+// Returns the intensity along the normal, in the brightest colour. With branches a light represents
+// various normals and sends some light to all sides.
 float vtkiGreatestIntensity(vec3 senderNormal, vec3 density)
 {
   float intensity = max(max(density.r, density.g), density.b) / VTKI_PI;
@@ -15,14 +15,14 @@ float vtkiGreatestIntensity(vec3 senderNormal, vec3 density)
   return max(intensity, 0.0f);
 }
 
-// Squared distance to which the light counts along its normal. Both intensities scale with the
-// scene's light, which is arbitrary: only their quotient is of order one.
+// Returns the squared distance to which the light counts along its normal. Both intensities scale
+// with the scene's light, which is arbitrary: only their quotient is of order one.
 float vtkiSquaredReach(float intensity, float low)
 {
   return low > 0.0f ? min(intensity / low, 1.0e12f) : 1.0e12f;
 }
 
-// Intensity over the squared distance at a position, over the lowest that counts.
+// Returns the intensity over the squared distance at a position, over the lowest that counts.
 float vtkiSplatLevel(vec3 toSender, vec4 sender, vec3 senderNormal, vec3 density, float low)
 {
   float r2 = max(dot(toSender, toSender), 1.0e-20f);
@@ -43,9 +43,9 @@ const bool vtkiSplatFades = true;
 const bool vtkiSplatFades = false;
 #endif
 
-// Distance within which the splat has all of a light: with branches, which lie elsewhere than the
-// light's middle and vary as fast as any near light, the distance to which these are summed; with a
-// far field the light's neighbourhood.
+// Returns the distance within which the splat has all of a light: with branches, which lie
+// elsewhere than the light's middle and vary as fast as any near light, the distance to which these
+// are summed; with a far field the light's neighbourhood.
 float vtkiBall(vec4 sender, vec4 senderNormal)
 {
   float ball = vtkiSplatFades ? vtkiNearReach(sender.w) : 0.0f;
@@ -84,7 +84,7 @@ vec3 vtkiWholeSender(vec3 position, vec3 normal, vec3 open, int light, vec4 send
   return irradiance;
 }
 
-// The splat's part of that light.
+// Returns the splat's part of that light.
 vec3 vtkiSplatSender(
   vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec4 senderNormal, vec3 density, float low)
 {

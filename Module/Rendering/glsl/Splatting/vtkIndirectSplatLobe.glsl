@@ -7,14 +7,14 @@
 uniform sampler2D vtkiLobeDirection; // direction, exponent
 uniform sampler2D vtkiLobeDensity;   // flux density times area
 
-// Flux over the lowest intensity over a squared distance that counts. Only this quotient is of
-// order one.
+// Returns the flux over the lowest intensity over a squared distance that counts. Only this
+// quotient is of order one.
 float vtkiLobeFlux(vec3 density, float low)
 {
   return vtkiSquaredReach(max(max(density.r, density.g), density.b), low);
 }
 
-// Light of a lobe: its splat's part, or the rest; adds the luminance of both to all.
+// Returns the light of a lobe: its splat's part, or the rest; adds the luminance of both to all.
 vec3 vtkiAddSplatLobe(vec3 position, vec3 normal, vec3 open, int light, vec4 sender, vec3 senderNormal, vec4 direction,
   vec3 density, float low, bool rest, inout float all)
 {

@@ -1,7 +1,7 @@
 // Share of the hemisphere above a texel of a light's map that other surfaces in the map leave open.
 // Needs vtkIndirectMapTexel.glsl and vtkIndirectLibImportance.glsl.
 
-// Sampled neighbours: this many directions at each of the distances.
+// This is the sampled neighbours: this many directions at each of the distances.
 const int VTKI_NEIGHBOR_DIRECTIONS = 8;
 const int VTKI_NEIGHBOR_RINGS = 3;
 

@@ -45,8 +45,8 @@ struct vtkiSight
 };
 
 const float VTKI_ENOUGH_SIGHT = 0.25f;
-// Weight of a guess that nothing is hidden, beside up to 1 for a cluster. With 0.01 a closed ball has
-// a third less light inside, and errors in rooms and folds are 3 % larger.
+// This is the weight of a guess that nothing is hidden, beside up to 1 for a cluster. With 0.01 a
+// closed ball has a third less light inside, and errors in rooms and folds are 3 % larger.
 const float VTKI_UNHIDDEN = 0.06f;
 
 vtkiSight vtkiReceiverSight; // of the receiver whose light is summed
@@ -56,7 +56,8 @@ void vtkiStartSight()
   vtkiReceiverSight = vtkiSight(0.0f, 0.0f);
 }
 
-// Share of a cluster's branches that a receiver sees. seen: share by the cluster's depth map.
+// Returns the share of a cluster's branches that a receiver sees. seen: share by the cluster's
+// depth map.
 float vtkiShareOfBranches(vtkiSight sight, vec3 facet, vec3 toSender, float seen)
 {
 #ifdef VTKI_DEPTH_TILES

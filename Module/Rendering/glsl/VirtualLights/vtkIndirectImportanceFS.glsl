@@ -11,7 +11,7 @@ uniform int vtkiNumberOfCharts;
 uniform float vtkiOcclusion;
 uniform float vtkiScale; // over the strongest light's intensity, so that no product underflows
 
-// Two importances of a cell: one if it sends light, and the flux it sends.
+// Returns two importances of a cell: one if it sends light, and the flux it sends.
 vec2 vtkiCellImportance(int chart, ivec2 cell)
 {
   int layer;

@@ -12,17 +12,17 @@ vec3 vtkiToSender(vec4 sender, vec3 position)
 #endif
 }
 
-// Area by which contacts of a cluster are softened: with branches of two generations, the area of
-// the last generation.
+// Returns the area by which contacts of a cluster are softened: with branches of two generations,
+// the area of the last generation.
 float vtkiSoftening(float childDistance, float area)
 {
   const float share = 1.0f / float(VTKI_BRANCHES_PER_NODE * VTKI_BRANCHES_PER_NODE);
   return childDistance > 0.0f ? share * area : area;
 }
 
-// Light that arrives from a virtual light: times the receiver's cosine and the density it is the
-// irradiance; see vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED) represent
-// patches of surfaces. VTKI_POINT_FORM_FACTOR: all lights are points.
+// Returns the light that arrives from a virtual light: times the receiver's cosine and the density
+// it is the irradiance; see vtkiVirtualLightStrength. Only lights with branches (VTKI_DIVIDED)
+// represent patches of surfaces. VTKI_POINT_FORM_FACTOR: all lights are points.
 vtkiPatchLight vtkiFindSender(vec3 toSender, vec4 senderNormal, vec3 normal, float area, float softening)
 {
 #ifdef VTKI_POINT_FORM_FACTOR

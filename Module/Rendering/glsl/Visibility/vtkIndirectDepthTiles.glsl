@@ -7,7 +7,7 @@ uniform vec3 vtkiTileShape; // columns and rows of tiles in the atlas, texels al
 // 1 if all receivers cast shadows. Tiles show no surface of other receivers, which ends nowhere.
 uniform int vtkiReceiversCast;
 
-// Data that all look-ups in a tile share.
+// This is the data that all look-ups in a tile share.
 struct vtkiTile
 {
   vec3 right;

@@ -22,9 +22,9 @@ bool vtkiIsOccupied(ivec3 voxel)
   return vtkiHasBit(vtkiFetchColumn(at), voxel.z) && voxel.xy == at;
 }
 
-// True if the segment between two points (voxel coordinates) meets no occupied voxel besides those
-// of its ends. With test false no voxel is looked up, which a branch around the call would not
-// save.
+// Returns true if the segment between two points (voxel coordinates) meets no occupied voxel
+// besides those of its ends. With test false no voxel is looked up, which a branch around the call
+// would not save.
 bool vtkiIsFree(vec3 start, vec3 end, bool test)
 {
   vtkiWalk walk = vtkiBeginWalk(start, end);

@@ -15,7 +15,7 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet)
   return facet;
 }
 
-// The same for a receiver at a pixel, whose crease hides lights.
+// Returns the same for a receiver at a pixel, whose crease hides lights.
 vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
 {
   vtkiReceiverCrease = vtkiFetchCrease(pixel);
@@ -25,8 +25,8 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
 #ifdef VTKI_SHARED_TILES
 #include "vtkIndirectLibTable.glsl"
 
-// Owner of the tile that each light looks up: position and tile in the upper half, axis in the
-// lower half.
+// This is the owner of the tile that each light looks up: position and tile in the upper half, axis
+// in the lower half.
 uniform sampler2D vtkiTileOwners;
 #endif
 
@@ -78,8 +78,8 @@ void vtkiStepOn(inout vtkiLeap leap, inout bool clear, inout bool more)
   more = more && !blocked && on && leap.voxel != leap.last;
 }
 
-// True if the segment meets no occupied voxel besides those of its ends. With test false no voxel
-// is looked up, which a branch around the call would not save.
+// Returns true if the segment meets no occupied voxel besides those of its ends. With test false no
+// voxel is looked up, which a branch around the call would not save.
 bool vtkiIsClear(vec3 start, vec3 end, bool test)
 {
   vtkiLeap leap = vtkiBeginLeap(start, end);
@@ -104,8 +104,8 @@ bool vtkiIsEmpty(vec3 place)
   return texelFetch(vtkiDistanceField, at, 0).r > 0u || at != voxel;
 }
 
-// A position near a surface, in voxels, that none of the surface's own voxels blocks and, if
-// possible, none of another surface's.
+// Returns a position near a surface, in voxels, that none of the surface's own voxels blocks and,
+// if possible, none of another surface's.
 vec3 vtkiOpenPlace(vec3 position, vec3 normal)
 {
   vec3 voxels = (position - vtkiDistanceFieldOrigin.xyz) * vtkiDistanceFieldOrigin.w;
@@ -121,8 +121,8 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal)
   return open;
 }
 
-// True if no voxels stand between two surfaces, apart from their own voxels. start: the receiver's
-// open place.
+// Returns true if no voxels stand between two surfaces, apart from their own voxels. start: the
+// receiver's open place.
 bool vtkiIsFreeOfVoxels(
   vec3 start, vec3 position, vec3 normal, vec3 sender, vec3 senderNormal, bool test)
 {
@@ -134,7 +134,7 @@ bool vtkiIsFreeOfVoxels(
     vtkiClearOf(start, normal, light, senderNormal, vtkiClearHeight(senderNormal)), end, test);
 }
 
-// The position where a ray has left the voxels.
+// Returns the position where a ray has left the voxels.
 vec3 vtkiLeaveVoxels(vec3 position, vec3 direction)
 {
   vec3 lower = vtkiDistanceFieldOrigin.xyz;
@@ -165,8 +165,8 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
   return vtkiOpenPlace(position, normal);
 }
 
-// True if no occluder stands between two surfaces. start: the receiver's open place; voxelEnd,
-// sphereEnd: the sender's position for the tests of voxels and spheres.
+// Returns true if no occluder stands between two surfaces. start: the receiver's open place;
+// voxelEnd, sphereEnd: the sender's position for the tests of voxels and spheres.
 bool vtkiIsVisibleFrom(vec3 start, vec3 position, vec3 normal, vec3 voxelEnd, vec3 sphereEnd, vec3 senderNormal,
   bool test)
 {

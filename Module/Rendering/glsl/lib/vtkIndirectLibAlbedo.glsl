@@ -16,7 +16,7 @@ float vtkiPackAlbedo(vec3 albedo)
   return uintBitsToFloat(r | (g << 10u) | ((b & 511u) << 20u) | (1u << 29u) | ((b & 512u) << 22u));
 }
 
-/* Inverse of vtkiPackAlbedo; 0 for a cleared texel. */
+/* Returns the inverse of vtkiPackAlbedo; 0 for a cleared texel. */
 vec3 vtkiUnpackAlbedo(float code)
 {
   uint bits = floatBitsToUint(code);

@@ -14,8 +14,8 @@
 #include "vtkIndirectLibPortable.glsl"
 #include "vtkIndirectLibSurface.glsl"
 
-/* Contrast of the weakest edge, and of edges whose pixels are blended in full: steps of 5 % are
- * visible, and a ramp keeps an edge that passes the first contrast from flickering. */
+/* This is the contrast of the weakest edge, and of edges whose pixels are blended in full: steps of
+ * 5 % are visible, and a ramp keeps an edge that passes the first contrast from flickering. */
 const float VTKI_EDGE_CONTRAST = 0.05f;
 const float VTKI_EDGE_FULL_CONTRAST = 0.1f;
 /* An edge is dropped if an adjoining edge has this many times its contrast: it is a crease that
@@ -33,11 +33,11 @@ const int VTKI_DIAGONAL_LENGTH = 3;
  * the root of the distance: by at most 1 / (sqrt(2) - 1) = 2.42. */
 const float VTKI_OUTLINE_RATIO = 2.5f;
 
-/* True if depth leaps between the middle two of four pixels in a row: values of the depth buffer; 1
- * for the background and beyond the picture. They are affine on a plane, so that a plane's steps
- * are equal. On a surface curved to one side a step lies between its neighbours; on a wavy surface
- * it may be the largest, within the ratio for waves of six pixels. Thin things step there and back
- * again: a step of the other sign counts only if both sides have one. */
+/* Returns true if depth leaps between the middle two of four pixels in a row: values of the depth
+ * buffer; 1 for the background and beyond the picture. They are affine on a plane, so that a
+ * plane's steps are equal. On a surface curved to one side a step lies between its neighbours; on a
+ * wavy surface it may be the largest, within the ratio for waves of six pixels. Thin things step
+ * there and back again: a step of the other sign counts only if both sides have one. */
 bool vtkiIsDepthLeap(vec4 depth)
 {
   float step = abs(depth.z - depth.y);
@@ -54,8 +54,8 @@ bool vtkiIsDepthLeap(vec4 depth)
     step > VTKI_OUTLINE_RATIO * most + (2.0f + 2.0f * VTKI_OUTLINE_RATIO) * VTKI_DEPTH_ROUNDING;
 }
 
-/* True if normals turn abruptly between the middle two of four pixels, which are lit: by more than
- * on either side, and enough for a visible change of light. */
+/* Returns true if normals turn abruptly between the middle two of four pixels, which are lit: by
+ * more than on either side, and enough for a visible change of light. */
 bool vtkiIsCrease(vec2 code0, vec2 code1, vec2 code2, vec2 code3, bool hasBefore, bool hasBehind)
 {
   vec3 n1 = vtkiOctahedralDecode(code1);
@@ -70,9 +70,9 @@ bool vtkiIsCrease(vec2 code0, vec2 code1, vec2 code2, vec2 code3, bool hasBefore
       max(VTKI_OUTLINE_RATIO * VTKI_OUTLINE_RATIO * most, VTKI_EDGE_CONTRAST * VTKI_EDGE_CONTRAST);
 }
 
-/* True if a surface ends between the middle two of four pixels in a row: at the background, at
- * another kind of surface, at another unlit prop, at a leap of depth, or at a crease. surface0 to
- * surface3: texels of the geometry buffer. */
+/* Returns true if a surface ends between the middle two of four pixels in a row: at the background,
+ * at another kind of surface, at another unlit prop, at a leap of depth, or at a crease. surface0
+ * to surface3: texels of the geometry buffer. */
 bool vtkiIsOutline(vec4 depth, vec4 surface0, vec4 surface1, vec4 surface2, vec4 surface3)
 {
   bool drawn = depth.y < 1.0f;
@@ -89,14 +89,14 @@ bool vtkiIsOutline(vec4 depth, vec4 surface0, vec4 surface1, vec4 surface2, vec4
   return both ? !alike || crease || vtkiIsDepthLeap(depth) : drawn || depth.z < 1.0f;
 }
 
-/* The largest difference of a channel between colours as shown. */
+/* Returns the largest difference of a channel between colours as shown. */
 float vtkiContrast(vec4 a, vec4 b)
 {
   vec4 d = abs(a - b);
   return max(max(d.x, d.y), max(d.z, d.w));
 }
 
-/* Strength of blending for an edge of that contrast. */
+/* Returns the strength of blending for an edge of that contrast. */
 float vtkiEdgeStrength(float contrast)
 {
   return min(max((contrast - VTKI_EDGE_CONTRAST) *
@@ -105,8 +105,8 @@ float vtkiEdgeStrength(float contrast)
     1.0f);
 }
 
-/* Numbers of the lowest and of the highest bit of a nonzero word: the exponent of a float that has
- * no other bit, or none next to it that could round it up. */
+/* Returns the numbers of the lowest and of the highest bit of a nonzero word: the exponent of a
+ * float that has no other bit, or none next to it that could round it up. */
 int vtkiLowestBit(uint word)
 {
   return int(floatBitsToUint(float(word & (~word + 1u))) >> 23u) - 127;
@@ -123,15 +123,16 @@ uint vtkiBitWindow(uint lower, uint upper, int first)
   return first == 0 ? lower : (lower >> uint(first)) | (upper << uint(32 - first));
 }
 
-/* Number of positions after that of bit 0 in its run: up to VTKI_EDGE_REACH, which means that the
- * end is farther away. edges, breaks: windows from that position on; a break separates a position
- * from the one before. */
+/* Returns the number of positions after that of bit 0 in its run: up to VTKI_EDGE_REACH, which
+ * means that the end is farther away. edges, breaks: windows from that position on; a break
+ * separates a position from the one before. */
 int vtkiRunForward(uint edges, uint breaks)
 {
   return vtkiLowestBit(~((edges & ~breaks) >> 1u));
 }
 
-/* Number of positions before that of bit 31 in its run, for windows that end with it. */
+/* Returns the number of positions before that of bit 31 in its run, for windows that end with it.
+ */
 int vtkiRunBackward(uint edges, uint breaks)
 {
   return 31 - vtkiHighestBit(~((edges & ~(breaks >> 1u)) << 1u));
@@ -162,18 +163,19 @@ float vtkiRunEnd(uint across, uint before, uint behind, bool first)
   return up && (outside & 8u) != 0u ? 0.5f : (down && (outside & 2u) != 0u ? -0.5f : 0.0f);
 }
 
-/* Area between a and b of a run below a triangle of this `height` at 0 and zero at `length`. */
+/* Returns the area between a and b of a run below a triangle of this `height` at 0 and zero at
+ * `length`. */
 float vtkiCutArea(float height, float length, float a, float b)
 {
   float end = min(b, length);
   return end > a ? height * (end - a) * (1.0f - 0.5f * (a + end) / length) : 0.0f;
 }
 
-/* Areas that the outline of a run cuts off the pixels at one of its positions, with `backward`
- * positions of the run before it and `forward` after it: the share that the pixel of the greater
- * line loses to its neighbour, and vice versa. firstEnd, lastEnd: see vtkiRunEnd. From each end the
- * outline meets the pixels' border in the middle of the run; if both ends turn to different sides
- * it is one straight line. */
+/* Returns the areas that the outline of a run cuts off the pixels at one of its positions, with
+ * `backward` positions of the run before it and `forward` after it: the share that the pixel of the
+ * greater line loses to its neighbour, and vice versa. firstEnd, lastEnd: see vtkiRunEnd. From each
+ * end the outline meets the pixels' border in the middle of the run; if both ends turn to different
+ * sides it is one straight line. */
 vec2 vtkiRunAreas(int backward, int forward, float firstEnd, float lastEnd)
 {
   float s = float(backward);
@@ -196,14 +198,14 @@ float vtkiDiagonalEnd(bool isFlat, bool isSteep, int turn, bool first)
   return float(turn) * (first ? -side : side);
 }
 
-/* Integral of min(max(x, 0), 1) up to v. */
+/* Returns the integral of min(max(x, 0), 1) up to v. */
 float vtkiRampArea(float v)
 {
   return v > 0.0f ? (v < 1.0f ? 0.5f * v * v : v - 0.5f) : 0.0f;
 }
 
-/* Area of a pixel below a line that passes the middle of the pixel's position at that height over
- * its lower border. slope: greater than 0; a falling line has the same area. */
+/* Returns the area of a pixel below a line that passes the middle of the pixel's position at that
+ * height over its lower border. slope: greater than 0; a falling line has the same area. */
 float vtkiAreaBelow(float height, float slope)
 {
   return (vtkiRampArea(height + 0.5f * slope) - vtkiRampArea(height - 0.5f * slope)) / slope;
@@ -228,8 +230,9 @@ vec2 vtkiDiagonalAreas(int backward, int forward, float firstEnd, float lastEnd,
   return vec2(vtkiAreaBelow(height, slope), vtkiAreaBelow(-height, slope));
 }
 
-/* Shares of two neighbours on opposite sides in a pixel's colour, from the areas that either has of
- * it: their mean weighted with the areas, so that a thing of one pixel does not vanish. */
+/* Returns the shares of two neighbours on opposite sides in a pixel's colour, from the areas that
+ * either has of it: their mean weighted with the areas, so that a thing of one pixel does not
+ * vanish. */
 vec2 vtkiNeighborShares(float area1, float area2)
 {
   float sum = area1 + area2;

@@ -10,9 +10,9 @@
 const float VTKI_AREA_FAR = 30.0f;
 const float VTKI_AREA_EVEN = 0.2f;
 
-/* Angle subtended by the edge from a to b at the origin, times the cosine between the normal and
- * that of the plane through both and the origin. Computed from the edge, which keeps precision for
- * short edges. */
+/* Returns the angle subtended by the edge from a to b at the origin, times the cosine between the
+ * normal and that of the plane through both and the origin. Computed from the edge, which keeps
+ * precision for short edges. */
 float vtkiEdgeTerm(vec3 a, vec3 b, vec3 normal)
 {
   vec3 c = cross(a, b - a);
@@ -20,9 +20,9 @@ float vtkiEdgeTerm(vec3 a, vec3 b, vec3 normal)
   return sine > 0.0f ? atan(sine, dot(a, b)) / sine * dot(normal, c) : 0.0f;
 }
 
-/* Form factor from a surface element at the origin to the part of a parallelogram above its horizon
- * (Lambert 1760), whichever way the parallelogram faces. corner: one of its corners, relative to
- * the element; normal: unit. */
+/* Returns the form factor from a surface element at the origin to the part of a parallelogram above
+ * its horizon (Lambert 1760), whichever way the parallelogram faces. corner: one of its corners,
+ * relative to the element; normal: unit. */
 float vtkiRectangleFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal)
 {
   vec3 middle = corner + 0.5f * (edge1 + edge2);
@@ -68,15 +68,15 @@ float vtkiRectangleFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal)
 // From this many times its longer edge on, a piece of a rectangle is far: see vtkiPieceFormFactor.
 const float VTKI_PIECE_FAR = 3.0f;
 
-/* Mean height over the horizon, clamped to zero below it, of a piece that extends by reach up and
- * down from its middle. */
+/* Returns the mean height over the horizon, clamped to zero below it, of a piece that extends by
+ * reach up and down from its middle. */
 float vtkiMeanHeight(float height, float reach)
 {
   float above = max(height + reach, 0.0f);
   return height >= reach ? height : 0.25f * above * above / max(reach, 1.0e-30f);
 }
 
-// A far piece of a rectangle, seen from a receiver.
+// This is a far piece of a rectangle, seen from a receiver.
 struct vtkiPiece
 {
   float square; // squared distance to its middle
@@ -86,8 +86,8 @@ struct vtkiPiece
   vec2 length2; // squares of both edges
 };
 
-/* Mean irradiance of a far piece over that of its middle: height / distance^4 to second order, with
- * an error in the fourth power of edge over distance. */
+/* Returns the mean irradiance of a far piece over that of its middle: height / distance^4 to second
+ * order, with an error in the fourth power of edge over distance. */
 float vtkiPieceMean(vtkiPiece piece)
 {
   float a1 = piece.along.x / piece.square;

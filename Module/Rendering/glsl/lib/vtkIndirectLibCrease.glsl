@@ -5,10 +5,10 @@
 #define vtkIndirectLibCrease
 #include "vtkIndirectLibPortable.glsl"
 
-// Greatest cosine between the normals of surfaces that meet in a crease.
+// This is the greatest cosine between the normals of surfaces that meet in a crease.
 const float VTKI_CREASE_COSINE = 0.75f;
-// Greatest extent of the other surface that counts, in scene units: two texels of the sky's maps,
-// beyond which the maps show the other surface.
+// This is the greatest extent of the other surface that counts, in scene units: two texels of the
+// sky's maps, beyond which the maps show the other surface.
 const float VTKI_CREASE_REACH = 0.02f;
 // A receiver may lie behind the other plane by this, in scene units: rounding.
 const float VTKI_CREASE_ROUNDING = 1.0e-4f;
@@ -19,9 +19,9 @@ const float VTKI_CREASE_MARGIN = 1.0e-3f;
 const float VTKI_CREASE_FLAT_COSINE = 0.999f;
 const float VTKI_CREASE_FLAT_HEIGHT = 0.02f;
 
-/* The other surface at a receiver: its normal, the product of the normal and a position on it, and
- * the distance from the receiver up to which it goes on, squared. All are zero where no crease is
- * near. */
+/* This is the other surface at a receiver: its normal, the product of the normal and a position on
+ * it, and the distance from the receiver up to which it goes on, squared. All are zero where no
+ * crease is near. */
 struct vtkiCrease
 {
   vec3 normal;
@@ -29,15 +29,15 @@ struct vtkiCrease
   float extent2;
 };
 
-/* True if two surfaces meet in a concave crease: each lies before the other's plane. offset: from
- * the receiver to the other position. */
+/* Returns true if two surfaces meet in a concave crease: each lies before the other's plane.
+ * offset: from the receiver to the other position. */
 bool vtkiMeetsInCrease(vec3 facet, vec3 other, vec3 offset)
 {
   return dot(facet, other) < VTKI_CREASE_COSINE && dot(facet, offset) > 0.0f &&
     dot(other, offset) < VTKI_CREASE_ROUNDING;
 }
 
-/* True if two positions lie on one flat surface. */
+/* Returns true if two positions lie on one flat surface. */
 bool vtkiIsFlat(vec3 facet, vec3 other, vec3 offset)
 {
   float height = dot(facet, offset);
@@ -45,9 +45,9 @@ bool vtkiIsFlat(vec3 facet, vec3 other, vec3 offset)
     height * height < VTKI_CREASE_FLAT_HEIGHT * VTKI_CREASE_FLAT_HEIGHT * dot(offset, offset);
 }
 
-/* True if the other surface of a crease hides a position from the receiver: the segment crosses the
- * surface's plane near the receiver. to: from the receiver to what may be hidden. Needs no
- * division. */
+/* Returns true if the other surface of a crease hides a position from the receiver: the segment
+ * crosses the surface's plane near the receiver. to: from the receiver to what may be hidden. Needs
+ * no division. */
 bool vtkiHidesInCrease(vtkiCrease crease, vec3 position, vec3 to)
 {
   float height = dot(crease.normal, position) - crease.plane;

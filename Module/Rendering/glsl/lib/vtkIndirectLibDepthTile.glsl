@@ -5,10 +5,10 @@
 #define vtkIndirectLibDepthTile
 #include "vtkIndirectLibPortable.glsl"
 
-// Tangent of the half angle of a virtual light's tile about its normal. The square covers 92 % of
-// the light of a diffuse sender; the strips below the tile cover the rest.
+// This is the tangent of the half angle of a virtual light's tile about its normal. The square
+// covers 92 % of the light of a diffuse sender; the strips below the tile cover the rest.
 const float VTKI_TILE_TANGENT = 3.0f;
-// Height of all strips of a perspective tile together over the width of the tile.
+// This is the height of all strips of a perspective tile together over the width of the tile.
 const float VTKI_TILE_STRIPS = 0.25f;
 // Near and far end of such a tile: the scene is one unit across.
 const float VTKI_TILE_NEAR = 1.0f / 2048.0f;
@@ -34,10 +34,10 @@ void vtkiFrameAlong(vec3 n, VTKI_OUT(vec3) x, VTKI_OUT(vec3) y)
   y = vec3(b, s + n.y * n.y * a, -n.y);
 }
 
-/* The view of a perspective tile that contains a receiver. A tile has five views, which together
- * cover the half space that the light faces: a forward view, as wide as its limit, and four
- * strips below it in the atlas, each along an axis to a side, from the light's horizon up to the
- * edge of the forward view. */
+/* This is the view of a perspective tile that contains a receiver. A tile has five views, which
+ * together cover the half space that the light faces: a forward view, as wide as its limit, and
+ * four strips below it in the atlas, each along an axis to a side, from the light's horizon up to
+ * the edge of the forward view. */
 struct vtkiTileView
 {
   int strip;    // to the right, left, up or down of the tile; -1: forward
@@ -67,14 +67,16 @@ vtkiTileView vtkiFindTileView(vec3 away, vec3 normal, float limit)
   return view;
 }
 
-/* Half the size of a view in texels of the atlas. texels: along an edge of the forward view. */
+/* Returns half the size of a view in texels of the atlas. texels: along an edge of the forward
+ * view. */
 vec2 vtkiHalfOfView(int strip, float texels)
 {
   return strip < 0 ? vec2(0.5f * texels, 0.5f * texels)
                    : vec2(0.25f * texels, 0.25f * VTKI_TILE_STRIPS * texels);
 }
 
-/* Offset of a view's middle from that of the forward view: the strips lie two by two. */
+/* Returns the offset of a view's middle from that of the forward view: the strips lie two by two.
+ */
 vec2 vtkiPlaceOfView(int strip, float texels)
 {
   float column = strip == 1 || strip == 3 ? 0.5f : -0.5f;
@@ -84,19 +86,19 @@ vec2 vtkiPlaceOfView(int strip, float texels)
     : vec2(0.5f * column * texels, (0.5f * VTKI_TILE_STRIPS * row - VTKI_TILE_STRIPS - 0.5f) * texels);
 }
 
-// Share of the bias by which a surface may stand before the receiver on the receiver's own ray where
-// further texels tell a crease from an occluder: the whole bias lets light through walls beside the
-// creases of closed bodies.
+// This is the share of the bias by which a surface may stand before the receiver on the receiver's
+// own ray where further texels tell a crease from an occluder: the whole bias lets light through
+// walls beside the creases of closed bodies.
 const float VTKI_TILE_LEAST_BIAS = 0.5f;
 
-/* True if a perspective tile shows the receiver from its light: compares the depth stored at a
- * texel's centre with the depth of the receiver's own plane there. inverse: one over the stored
- * depth; depth: the receiver's along the view's axis; facing: product of the receiver's normal and
- * the vector from the light to it; along: product of the normal and the vector to depth one on
- * the texel's ray; bias: share of the depth by which the plane is moved nearer. At grazing angles
- * the bias is along the normal, since a surface that fills a texel bends away from the plane by as
- * much, but along the ray at most twice as much. least: share of the depth by which the receiver
- * itself is moved nearer, up to the bias. The plane counts only where it comes nearer: a
+/* Returns true if a perspective tile shows the receiver from its light: compares the depth stored
+ * at a texel's centre with the depth of the receiver's own plane there. inverse: one over the
+ * stored depth; depth: the receiver's along the view's axis; facing: product of the receiver's
+ * normal and the vector from the light to it; along: product of the normal and the vector to depth
+ * one on the texel's ray; bias: share of the depth by which the plane is moved nearer. At grazing
+ * angles the bias is along the normal, since a surface that fills a texel bends away from the plane
+ * by as much, but along the ray at most twice as much. least: share of the depth by which the
+ * receiver itself is moved nearer, up to the bias. The plane counts only where it comes nearer: a
  * plane that recedes from the light does not extend behind the end of the surface. Needs no
  * division. */
 bool vtkiIsSeenInPerspectiveTile(
@@ -107,25 +109,25 @@ bool vtkiIsSeenInPerspectiveTile(
   return depth <= VTKI_TILE_NEAR || (1.0f - least) * depth * inverse <= 1.0f || onPlane;
 }
 
-/* True if the receiver's surface ends before the texel's centre, as beyond the rim of a closed body
- * with the receiver inside: the receiver's plane comes nearer to the light there, and the tile
- * shows something farther behind the plane than two texels: a surface may bend away within a
- * texel, and a sample of several pixels stands before the surface. Such a texel does not tell what
- * hides the receiver. Values are those of vtkiIsSeenInPerspectiveTile. Needs no division. */
+/* Returns true if the receiver's surface ends before the texel's centre, as beyond the rim of a
+ * closed body with the receiver inside: the receiver's plane comes nearer to the light there, and
+ * the tile shows something farther behind the plane than two texels: a surface may bend away within
+ * a texel, and a sample of several pixels stands before the surface. Such a texel does not tell
+ * what hides the receiver. Values are those of vtkiIsSeenInPerspectiveTile. Needs no division. */
 bool vtkiEndsInPerspectiveTile(float inverse, float depth, float facing, float along, float bias)
 {
   float bend = (2.0f / VTKI_TILE_ROUGHNESS) * bias * depth;
   return along * depth < facing && along < (facing - bend) * inverse;
 }
 
-/* Greatest depth of a receiver over the depth of a surface that the receiver's surface meets in a
- * crease: 1.25 at half a texel from a wall that the light sees at 7 degrees. A surface farther before
- * the receiver hides the receiver. */
+/* This is the greatest depth of a receiver over the depth of a surface that the receiver's surface
+ * meets in a crease: 1.25 at half a texel from a wall that the light sees at 7 degrees. A surface
+ * farther before the receiver hides the receiver. */
 const float VTKI_TILE_CREASE = 1.25f;
 
-/* Step in texels from a receiver's texel to the one of the eight texels around it that lies nearest
- * to the line from the receiver through the texel's centre. offset: from the receiver to the
- * centre. */
+/* Returns the step in texels from a receiver's texel to the one of the eight texels around it that
+ * lies nearest to the line from the receiver through the texel's centre. offset: from the receiver
+ * to the centre. */
 vec2 vtkiStepBeyond(vec2 offset)
 {
   const float least = 0.41421356f; // tangent of 22.5 degrees
@@ -134,9 +136,9 @@ vec2 vtkiStepBeyond(vec2 offset)
     size.y > least * size.x ? (offset.y < 0.0f ? -1.0f : 1.0f) : 0.0f);
 }
 
-/* True if the surface that a texel shows lies behind the receiver on the receiver's ray, as beyond
- * a crease between the receiver and the texel's centre, where a floor meets a wall. One over the
- * depth is linear over the view on a plane, so that texels farther from the receiver extend the
+/* Returns true if the surface that a texel shows lies behind the receiver on the receiver's ray, as
+ * beyond a crease between the receiver and the texel's centre, where a floor meets a wall. One over
+ * the depth is linear over the view on a plane, so that texels farther from the receiver extend the
  * surface to the receiver. inverse: one over the stored depth; depth: the receiver's; rise: of one
  * over the surface's depth from the receiver to the texel's centre. Needs no division. */
 bool vtkiMeetsInPerspectiveTile(float inverse, float depth, float rise)
@@ -144,9 +146,9 @@ bool vtkiMeetsInPerspectiveTile(float inverse, float depth, float rise)
   return (inverse - rise) * depth <= 1.0f && inverse * depth <= VTKI_TILE_CREASE;
 }
 
-/* True if a texel shows the receiver's own surface. Values are those of vtkiIsSeenInPerspectiveTile.
- * A texel at the receiver's side of an edge tells whether the light sees a receiver whose own texel
- * shows what lies beyond the edge. Needs no division. */
+/* Returns true if a texel shows the receiver's own surface. Values are those of
+ * vtkiIsSeenInPerspectiveTile. A texel at the receiver's side of an edge tells whether the light
+ * sees a receiver whose own texel shows what lies beyond the edge. Needs no division. */
 bool vtkiShowsPlaneInPerspectiveTile(
   float inverse, float depth, float facing, float along, float bias)
 {

@@ -67,8 +67,8 @@ bool vtkiLeapOn(VTKI_INOUT(vtkiLeap) leap, int freeVoxels)
   return next < 1.0f;
 }
 
-/* Height over a surface, in voxels, that clears the surface's own voxels: voxels touched by a plane
- * extend from it by at most the sum of the normal's components. */
+/* Returns the height over a surface, in voxels, that clears the surface's own voxels: voxels
+ * touched by a plane extend from it by at most the sum of the normal's components. */
 float vtkiClearHeight(vec3 normal)
 {
   return abs(normal.x) + abs(normal.y) + abs(normal.z) + 1.0e-3f;
@@ -85,7 +85,7 @@ vec3 vtkiAside(int i, vec3 normal)
   vec3 bitangent = cross(normal, tangent);
   int way = i - (i / 8) * 8;
   float reach = 0.5f * float(i / 8 + 1);
-  // Four along the two axes, then four diagonal.
+  // The first four ways go along the two axes, the other four are diagonal.
   float along = way < 4 ? (way == 0 ? 1.0f : (way == 1 ? -1.0f : 0.0f)) : (way < 6 ? 1.0f : -1.0f);
   float across = way < 4 ? (way == 2 ? 1.0f : (way == 3 ? -1.0f : 0.0f))
                          : (way == 4 || way == 6 ? 1.0f : -1.0f);

@@ -4,9 +4,9 @@
 #include "vtkIndirectLibPortable.glsl"
 #include "vtkIndirectLibVirtualLight.glsl"
 
-/* The direction from a surface to the eye (the origin of view coordinates), mirrored at the normal:
- * R.V is the cosine between this and the direction to the light. Unit. VTK's Phong model takes the
- * same direction to the eye for parallel projections. */
+/* Returns the direction from a surface to the eye (the origin of view coordinates), mirrored at the
+ * normal: R.V is the cosine between this and the direction to the light. Unit. VTK's Phong model
+ * takes the same direction to the eye for parallel projections. */
 vec3 vtkiMirror(vec3 positionVC, vec3 normalVC)
 {
   float r2 = dot(positionVC, positionVC);
@@ -14,10 +14,10 @@ vec3 vtkiMirror(vec3 positionVC, vec3 normalVC)
   return 2.0f * dot(normalVC, toEye) * normalVC - toEye;
 }
 
-/* True if all lobes cos^power, or narrower ones, about mirror directions within a cone leave less
- * than 2e-7 of a sender, seen from anywhere within `radius` of a position. toSender: from that
- * position; axis: of the cone, unit; cosine: least cosine of the cone's directions to the axis.
- * cos(a)^power <= exp(-power a^2 / 2), here 1.2e-7. Angles have a margin for rounding. */
+/* Returns true if all lobes cos^power, or narrower ones, about mirror directions within a cone
+ * leave less than 2e-7 of a sender, seen from anywhere within `radius` of a position. toSender:
+ * from that position; axis: of the cone, unit; cosine: least cosine of the cone's directions to the
+ * axis. cos(a)^power <= exp(-power a^2 / 2), here 1.2e-7. Angles have a margin for rounding. */
 bool vtkiIsBesideMirrors(vec3 toSender, float radius, vec3 axis, float cosine, float power)
 {
   float r = length(toSender);
@@ -58,15 +58,15 @@ float vtkiGlossyHorizon(vec3 toSender, vec3 normalR, float radius, float turn)
   return height > reach ? 1.0f : (height < -reach ? -1.0f : 0.0f);
 }
 
-/* Error at a patch of surface, for the same BA, if a light is left out there (interpolated false)
- * or interpolated between samples at such patches (interpolated true). radius, turn: as above;
- * toEye: distance of the eye. The mirror direction turns by twice the normal's turn and by the
- * angle of the patch seen from the eye, the direction to the light by the angle of the patch seen
- * from the light. Interpolation uses samples twice as far: the light is evaluated over twice the
- * patch. A light left out costs at most the largest weight there. Interpolation's error is an
- * eighth of the second derivative: that of a lobe cos^m is at most m max(1, m theta^2) times the
- * lobe, theta its angle, and strength falls with the square of the distance, whose relative second
- * derivative is 6. */
+/* Returns the error at a patch of surface, for the same BA, if a light is left out there
+ * (interpolated false) or interpolated between samples at such patches (interpolated true). radius,
+ * turn: as above; toEye: distance of the eye. The mirror direction turns by twice the normal's turn
+ * and by the angle of the patch seen from the eye, the direction to the light by the angle of the
+ * patch seen from the light. Interpolation uses samples twice as far: the light is evaluated over
+ * twice the patch. A light left out costs at most the largest weight there. Interpolation's error
+ * is an eighth of the second derivative: that of a lobe cos^m is at most m max(1, m theta^2) times
+ * the lobe, theta its angle, and strength falls with the square of the distance, whose relative
+ * second derivative is 6. */
 float vtkiGlossyVariation(vec3 toSender, vec3 normalS, vec3 mirror, float power, float area,
   float radius, float turn, float toEye, bool interpolated)
 {

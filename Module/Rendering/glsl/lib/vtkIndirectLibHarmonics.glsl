@@ -10,29 +10,30 @@ vec4 vtkiHarmonicsLow(vec3 d)
   return vec4(0.28209479f, 0.48860251f * d.y, 0.48860251f * d.z, 0.48860251f * d.x);
 }
 
-/* Band 2 without its last function. */
+/* Returns band 2 without its last function. */
 vec4 vtkiHarmonicsHigh(vec3 d)
 {
   return vec4(1.09254843f * d.x * d.y, 1.09254843f * d.y * d.z,
     0.31539157f * (3.0f * d.z * d.z - 1.0f), 1.09254843f * d.x * d.z);
 }
 
-/* The last function of band 2. */
+/* Returns the last function of band 2. */
 float vtkiHarmonicsLast(vec3 d)
 {
   return 0.54627422f * (d.x * d.x - d.y * d.y);
 }
 
-/* Irradiance (VTK units: constant radiance L gives L) of a field of order 2 on a surface of unit
- * normal n: the clamped cosine over pi has the factors 1, 2/3, 1/4 in bands 0, 1, 2.
- * Ramamoorthi and Hanrahan 2001, "An efficient representation for irradiance environment maps". */
+/* Returns the irradiance (VTK units: constant radiance L gives L) of a field of order 2 on a
+ * surface of unit normal n: the clamped cosine over pi has the factors 1, 2/3, 1/4 in bands 0, 1,
+ * 2. Ramamoorthi and Hanrahan 2001, "An efficient representation for irradiance environment maps".
+ */
 float vtkiIrradianceLow(vec4 c, vec3 n)
 {
   vec4 y = vtkiHarmonicsLow(n);
   return c.x * y.x + (c.y * y.y + c.z * y.z + c.w * y.w) * (2.0f / 3.0f);
 }
 
-/* Contribution of band 2 to vtkiIrradianceLow. */
+/* Returns the contribution of band 2 to vtkiIrradianceLow. */
 float vtkiIrradianceHigh(vec4 high, float last, vec3 n)
 {
   return 0.25f * (dot(high, vtkiHarmonicsHigh(n)) + last * vtkiHarmonicsLast(n));
@@ -62,11 +63,11 @@ float vtkiIrradianceLobe(vec4 c, vec3 n)
   return mean * ((1.0f - t) * (1.0f + x) + 4.0f * t * max(x, 0.0f));
 }
 
-/* Offset to a patch from a moved point: a point at offset toSender (patch minus point) in front of
- * the patch's plane moves back along its normal, from the height h to sqrt(h^2 + s), s = area / (2
- * pi). So no patch covers more than half of all directions, and a plane of patches covers just that
- * half, seen from any height: light that a patch loses at points right above it comes from its
- * neighbours. At a distance the move has no effect. */
+/* Returns the offset to a patch from a moved point: a point at offset toSender (patch minus point)
+ * in front of the patch's plane moves back along its normal, from the height h to sqrt(h^2 + s), s
+ * = area / (2 pi). So no patch covers more than half of all directions, and a plane of patches
+ * covers just that half, seen from any height: light that a patch loses at points right above it
+ * comes from its neighbours. At a distance the move has no effect. */
 vec3 vtkiPatchOffset(vec3 toSender, vec3 normalS, float softening)
 {
   float height = -dot(normalS, toSender);
@@ -75,8 +76,8 @@ vec3 vtkiPatchOffset(vec3 toSender, vec3 normalS, float softening)
     : toSender;
 }
 
-/* Factor from a patch's radiance times area to radiance times solid angle: cosS / r^2, at most 2 pi
- * / area with the offset of vtkiPatchOffset. */
+/* Returns the factor from a patch's radiance times area to radiance times solid angle: cosS / r^2,
+ * at most 2 pi / area with the offset of vtkiPatchOffset. */
 float vtkiPatchSolidAngle(vec3 toSender, vec3 normalS)
 {
   float r2 = dot(toSender, toSender);

@@ -9,17 +9,17 @@
 #define vtkIndirectLibImportance
 #include "vtkIndirectLibPortable.glsl"
 
-// Methods of warping a node's columns.
-// its upper and lower half by their own sums: the paper's method A
+// These are the methods of warping a node's columns. its upper and lower half by their own sums:
+// the paper's method A
 const int VTKI_WARP_APART = 0;
 const int VTKI_WARP_TOGETHER = 1; // both halves by their common sums: method B
 const int VTKI_WARP_EVENLY = 2;   // all nonempty parts of a node are equally likely
 
-// The largest number below one.
+// This is the largest number below one.
 const float VTKI_BELOW_ONE = 0.99999994f;
 
-/* One step of warping: selects the part, returns true for the second, and maps a coordinate in
- * [0,1) to its place in the part, in [0,1). Equation (5) of the paper, counted within the halves
+/* Makes one step of warping: selects the part, returns true for the second, and maps a coordinate
+ * in [0,1) to its place in the part, in [0,1). Equation (5) of the paper, counted within the halves
  * that it maps to; multiplies the probability by that of the part, the inverse of equation (6) but
  * for the factor two of the halves. One of the parts must be nonempty; an empty part is never
  * chosen. */
@@ -39,8 +39,8 @@ float vtkiOneWhereAny(float sum)
   return sum > 0.0f ? 1.0f : 0.0f;
 }
 
-/* Quarter of a node that contains a place in it, in [0,1)^2; place and probability as in
- * vtkiWarp. */
+/* Returns the quarter of a node that contains a place in it, in [0,1)^2; place and probability as
+ * in vtkiWarp. */
 ivec2 vtkiWarpQuadrant(vec4 quadrants, int method, VTKI_INOUT(vec2) place, VTKI_INOUT(float) probability)
 {
   bool evenly = method == VTKI_WARP_EVENLY;
@@ -70,11 +70,11 @@ vec3 vtkiChartDirection(vec2 place, float cosCone)
   return vec3(radius * cos(angle), radius * sin(angle), depth - 1.0f);
 }
 
-// Distance, scene units, within which other surfaces count for accessibility.
+// This is the distance, scene units, within which other surfaces count for accessibility.
 const float VTKI_NEIGHBOR_RADIUS = 0.1f;
 
-/* Occlusion at a position by a surface at this offset, in [0,1]: the cosine at the position,
- * decreasing with the distance. */
+/* Returns the occlusion at a position by a surface at this offset, in [0,1]: the cosine at the
+ * position, decreasing with the distance. */
 float vtkiHiddenBy(vec3 toSurface, vec3 normal)
 {
   float distance = length(toSurface);
@@ -82,15 +82,16 @@ float vtkiHiddenBy(vec3 toSurface, vec3 normal)
   return cosine * max(1.0f - distance / (2.0f * VTKI_NEIGHBOR_RADIUS), 0.0f);
 }
 
-/* Factor from a texel's flux to its importance. accessibility: open share of the hemisphere. */
+/* Returns the factor from a texel's flux to its importance. accessibility: open share of the
+ * hemisphere. */
 float vtkiNeighborFactor(float occlusion, float accessibility)
 {
   return 0.015625f + max(1.0f - occlusion * accessibility, 0.0f);
 }
 
-/* Column at which the nodes of a level begin in its texture: levels lie in two textures in turn,
- * each to the right of the one before. width: that of the nodes of level 0; each level has half as
- * many. */
+/* Returns the column at which the nodes of a level begin in its texture: levels lie in two textures
+ * in turn, each to the right of the one before. width: that of the nodes of level 0; each level has
+ * half as many. */
 int vtkiNodesBegin(int width, int level)
 {
   int begin = 0;

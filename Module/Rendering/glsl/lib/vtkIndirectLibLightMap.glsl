@@ -10,8 +10,8 @@ const int VTKI_MAP_SINGLE = 1;   // one perspective face: about a spot's axis, o
 const int VTKI_MAP_FACES = 2;    // point or wide spot: perspective faces of a cube
 const int VTKI_MAP_CAMERA = 3;   // headlight: the geometry buffer
 
-/* Face of the cube that sees a point given in the light's frame (-z is forward): 0 forward, 1 +x, 2
- * -x, 3 +y, 4 -y, 5 backward, which wide spots lack. */
+/* Returns the face of the cube that sees a point given in the light's frame (-z is forward): 0
+ * forward, 1 +x, 2 -x, 3 +y, 4 -y, 5 backward, which wide spots lack. */
 int vtkiFaceOf(vec3 p)
 {
   vec3 a = vec3(abs(p.x), abs(p.y), abs(p.z));
@@ -26,7 +26,8 @@ int vtkiFaceOf(vec3 p)
   return p.y >= 0.0f ? 3 : 4;
 }
 
-/* A point of the light's frame in a face's view coordinates: x right, y up, looking along -z. */
+/* Returns a point of the light's frame in a face's view coordinates: x right, y up, looking along
+ * -z. */
 vec3 vtkiToFace(vec3 p, int face)
 {
   if (face == 1)
@@ -69,13 +70,14 @@ float vtkiAttenuationTimesDistance2(vec3 attenuation, float d)
   {
     return d * d / denominator;
   }
-  // d = 0 (or no falloff at all, where VTK divides by zero).
+  // Here d is 0, or there is no falloff at all, where VTK divides by zero.
   return attenuation.x <= 0.0f && attenuation.y <= 0.0f && attenuation.z > 0.0f
     ? 1.0f / attenuation.z
     : 0.0f;
 }
 
-/* VTK's spot factor: hard edge at the cone's half angle, cos^exponent inside. cosCone < -1: none. */
+/* Returns VTK's spot factor: hard edge at the cone's half angle, cos^exponent inside. cosCone < -1:
+ * none. */
 float vtkiConeFactor(float cosAxis, float cosCone, float exponent)
 {
   if (cosCone < -1.0f)

@@ -154,11 +154,11 @@ float vtkiPowerQuotient(float x, float k)
     : (1.0f - pow(max(1.0f - x, 0.0f), k)) / x;
 }
 
-/* The integral of 1 - cos^(power + 1) over the angle about an axis, along the edge from a to b,
- * both on the axis's side. On a great circle whose normal has the height h over the axis, at the
- * arc t from its nearest point, the axis's cosine is q = sqrt(1 - h^2) cos t, and the angle grows
- * by h / (1 - q^2). The integrand then has no pole and the width of the lobe, over which the nodes
- * are spread: eight Gauss-Legendre nodes over asinh(t / width). */
+/* Returns the integral of 1 - cos^(power + 1) over the angle about an axis, along the edge from a
+ * to b, both on the axis's side. On a great circle whose normal has the height h over the axis, at
+ * the arc t from its nearest point, the axis's cosine is q = sqrt(1 - h^2) cos t, and the angle
+ * grows by h / (1 - q^2). The integrand then has no pole and the width of the lobe, over which the
+ * nodes are spread: eight Gauss-Legendre nodes over asinh(t / width). */
 float vtkiPowerEdge(vec3 a, vec3 b, vec3 axis, float power, bool asked)
 {
   vec3 c = cross(a, b - a);
@@ -192,9 +192,9 @@ float vtkiPowerEdge(vec3 a, vec3 b, vec3 axis, float power, bool asked)
   return h * reach * width * sum;
 }
 
-/* The integral of cos^power about the mirror direction, unit, over the part of a parallelogram
- * above the horizon and in the mirror direction's hemisphere: VTK's lobe under light of radiance
- * one, times pi. Zero if not asked for. */
+/* Returns the integral of cos^power about the mirror direction, unit, over the part of a
+ * parallelogram above the horizon and in the mirror direction's hemisphere: VTK's lobe under light
+ * of radiance one, times pi. Zero if not asked for. */
 float vtkiPowerIntegral(
   vec3 corner, vec3 edge1, vec3 edge2, vec3 normal, vec3 mirror, float power, bool asked)
 {
@@ -220,7 +220,8 @@ float vtkiPointWeight(vec3 way, float height, float area)
   return height * max(way.z, 0.0f) / (r2 * (VTKI_PI * r2 + area));
 }
 
-/* Place of a lobe in the table, in [0,1], by the cosine of the view and the roughness. */
+/* Returns the place of a lobe in the table, in [0,1], by the cosine of the view and the roughness.
+ */
 vec2 vtkiTablePlace(float cosine, float roughness, float least)
 {
   return vec2(sqrt(max(1.0f - cosine, 0.0f)), max(roughness - least, 0.0f) / (1.0f - least));

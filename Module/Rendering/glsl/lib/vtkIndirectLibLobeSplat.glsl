@@ -23,9 +23,9 @@ float vtkiExponentialRest(float x)
   return x < 0.02f ? x * (1.0f + 0.5f * x * (1.0f + x * (1.0f / 3.0f + x / 12.0f))) : exp(x) - 1.0f;
 }
 
-/* Centre along the axis, half length and half width of an ellipsoid around the part of the
- * iso-surface r(a) = size cos(a)^(n/2) within VTKI_LOBE_SPLAT_FARTHEST = D. If the surface still
- * widens at that distance, the ellipsoid's middle is put there; if it is wider than long, the
+/* Returns the centre along the axis, half length and half width of an ellipsoid around the part of
+ * the iso-surface r(a) = size cos(a)^(n/2) within VTKI_LOBE_SPLAT_FARTHEST = D. If the surface
+ * still widens at that distance, the ellipsoid's middle is put there; if it is wider than long, the
  * ellipsoid is a ball about the light. Equation (7) of the paper, with z = x size, is h(z)^2 = z^2
  * ((size / z)^(4 / (n + 2)) - 1), for n >= 2 at most the ellipsoid's h(D)^2 (2 - z / D) z / D. */
 vec3 vtkiLobeEllipsoid(float exponent, float size)

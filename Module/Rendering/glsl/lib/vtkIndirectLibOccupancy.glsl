@@ -4,7 +4,7 @@
 #define vtkIndirectLibOccupancy
 #include "vtkIndirectLibPortable.glsl"
 
-/* The lowest n bits; n may be negative or exceed 32. */
+/* Returns the lowest n bits; n may be negative or exceed 32. */
 uint vtkiBitsBelow(int n)
 {
   if (n <= 0)
@@ -14,7 +14,7 @@ uint vtkiBitsBelow(int n)
   return n >= 32 ? 0xffffffffu : (1u << uint(n)) - 1u;
 }
 
-/* Bits first to last of a column, both included. */
+/* Returns the bits first to last of a column, both included. */
 uvec4 vtkiBitRange(int first, int last)
 {
   return uvec4(vtkiBitsBelow(last + 1) & ~vtkiBitsBelow(first),
@@ -29,7 +29,7 @@ bool vtkiAnyBit(uvec4 column, uvec4 range)
            (column.w & range.w)) != 0u;
 }
 
-/* Bit z of a column; none outside it. */
+/* Returns bit z of a column; none outside it. */
 bool vtkiHasBit(uvec4 column, int z)
 {
   uint lower = z < 32 ? column.x : column.y;
@@ -76,7 +76,8 @@ vtkiWalk vtkiBeginWalk(vec3 start, vec3 end)
   return w;
 }
 
-/* Bits of the current column that the segment passes through, without the voxels of its ends. */
+/* Returns the bits of the current column that the segment passes through, without the voxels of its
+ * ends. */
 uvec4 vtkiWalkBits(vtkiWalk w)
 {
   float leave = w.remaining > 0 ? min(min(w.next.x, w.next.y), 1.0f) : 1.0f;

@@ -17,7 +17,7 @@ const float VTKI_LIGHT_TURN_ALONG = 0.82842712475f * VTKI_PI;
 // otherwise all maps would round an outline alike.
 const float VTKI_LIGHT_SHIFT = 1.0f / 64.0f;
 
-/* Rotation from pair to pair: cosines and sines of both angles. */
+/* This is the rotation from pair to pair: cosines and sines of both angles. */
 struct vtkiLightPairs
 {
   vec2 across;
@@ -39,11 +39,11 @@ vec2 vtkiTurn(vec2 direction, float angle)
   return vec2(c * direction.x - s * direction.y, s * direction.x + c * direction.y);
 }
 
-/* The first point of pair i in the unit ball; advances to the next pair. Seen from any direction
- * such points fill the unit disk evenly, because their density in the ball is 1 / sqrt(1 - r^2)
- * (the inverse Abel transform of a constant). x and y are uniform in the disk; over a point of it,
- * at distance q from the centre, that density is an arcsine's, that of sqrt(1 - q^2) sin(t) with t
- * uniform. */
+/* Returns the first point of pair i in the unit ball; advances to the next pair. Seen from any
+ * direction such points fill the unit disk evenly, because their density in the ball is 1 / sqrt(1
+ * - r^2) (the inverse Abel transform of a constant). x and y are uniform in the disk; over a point
+ * of it, at distance q from the centre, that density is an arcsine's, that of sqrt(1 - q^2) sin(t)
+ * with t uniform. */
 vec3 vtkiNextLightPoint(VTKI_INOUT(vtkiLightPairs) pairs, int i)
 {
   float share = (float(i) + 0.5f) / float(VTKI_LIGHT_PAIRS);

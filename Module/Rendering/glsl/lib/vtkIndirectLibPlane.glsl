@@ -14,7 +14,7 @@ int vtkiPackPlane(vec3 normal, float height)
     (int(floor(31.0f * height + 32.5f)) << 10);
 }
 
-/* Normal, and height in voxels; all 0 if there is no plane. */
+/* Returns the normal, and height in voxels; all 0 if there is no plane. */
 vec4 vtkiUnpackPlane(int code)
 {
   if (code == 0)

@@ -3,19 +3,20 @@
 #define vtkIndirectLibProxyRegion
 #include "vtkIndirectLibPortable.glsl"
 
-/* Share of a region's radius within which an entry counts fully. */
+/* This is the share of a region's radius within which an entry counts fully. */
 const float VTKI_PROXY_BAND = 0.8f;
 
-/* Weight within a region of that radius: one up to VTKI_PROXY_BAND, zero from the border on, smooth
- * in between. */
+/* Returns the weight within a region of that radius: one up to VTKI_PROXY_BAND, zero from the
+ * border on, smooth in between. */
 float vtkiProxyWithin(float distance, float radius)
 {
   float t = min(max((radius - distance) / max((1.0f - VTKI_PROXY_BAND) * radius, 1.0e-30f), 0.0f), 1.0f);
   return t * t * (3.0f - 2.0f * t);
 }
 
-/* Weight of an entry of the tree of spheres: positive in the region where its parent does not
- * represent it, and not deep inside its own inner region, where its children represent it. */
+/* Returns the weight of an entry of the tree of spheres: positive in the region where its parent
+ * does not represent it, and not deep inside its own inner region, where its children represent it.
+ */
 float vtkiProxyWeight(float toOuter, float outer, float toCenter, float inner)
 {
   float within = vtkiProxyWithin(toOuter, outer);
@@ -41,13 +42,13 @@ float vtkiSecondOf(float pair)
   return uintBitsToFloat(floatBitsToUint(pair) << 16u);
 }
 
-/* The least number of a pair that is not below a positive one. */
+/* Returns the least number of a pair that is not below a positive one. */
 float vtkiPairedAbove(float number)
 {
   return uintBitsToFloat((floatBitsToUint(number) + 0xffffu) & 0xffff0000u);
 }
 
-/* Region in which an entry of the tree of spheres counts, in one texel. */
+/* This is the region in which an entry of the tree of spheres counts, in one texel. */
 struct vtkiRegion
 {
   vec3 ToOuter; // vector from the entry's centre to the region's
@@ -86,7 +87,7 @@ vtkiRegion vtkiUnpackRegion(vec4 texel)
   return region;
 }
 
-/* Squared distances from a point to the nearest and farthest point of a box. */
+/* Returns the squared distances from a point to the nearest and farthest point of a box. */
 vec2 vtkiBoxDistances(vec3 middle, vec3 halfSize, vec3 point)
 {
   vec3 away = abs(point - middle);
@@ -95,7 +96,7 @@ vec2 vtkiBoxDistances(vec3 middle, vec3 halfSize, vec3 point)
   return vec2(dot(nearest, nearest), dot(farthest, farthest));
 }
 
-/* True if an entry may count somewhere in a box. */
+/* Returns true if an entry may count somewhere in a box. */
 bool vtkiProxyMeetsBox(vec3 middle, vec3 halfSize, vec3 outerCenter, float outer, vec3 center, float inner)
 {
   vec2 toOuter = vtkiBoxDistances(middle, halfSize, outerCenter);
@@ -113,7 +114,7 @@ vec3 vtkiPolygonEdge(vec3 a, vec3 b)
   return s > 1.0e-12f ? (atan(s, dot(a, b)) / s) * across : vec3(0.0f);
 }
 
-/* A disk around +z, by the sine of half its angle, in spherical harmonics of order 4. */
+/* Returns a disk around +z, by the sine of half its angle, in spherical harmonics of order 4. */
 vec4 vtkiZonalDisk(float sine)
 {
   float s2 = sine * sine;
@@ -122,16 +123,16 @@ vec4 vtkiZonalDisk(float sine)
     vec4(0.56418958f * s2 / (1.0f + c), 0.48860251f * s2, 0.63078313f * c * s2, 0.18658817f * s2 * (4.0f - 5.0f * s2));
 }
 
-/* The logarithm of the visibility left by a disk that hides the share p of the light; `whole` is
- * that of an opaque disk. log(1 - p D) begins with -p D, and the remainder goes with the square of
- * p. */
+/* Returns the logarithm of the visibility left by a disk that hides the share p of the light;
+ * `whole` is that of an opaque disk. log(1 - p D) begins with -p D, and the remainder goes with the
+ * square of p. */
 vec4 vtkiZonalShare(vec4 whole, float sine, float share)
 {
   return share * (share * whole - (1.0f - share) * vtkiZonalDisk(sine));
 }
 
-/* The disk of equal vector irradiance: direction, and the sine of half its angle. sum: over all
- * edges. */
+/* Returns the disk of equal vector irradiance: direction, and the sine of half its angle. sum: over
+ * all edges. */
 vec4 vtkiPolygonDisk(vec3 sum)
 {
   float size = length(sum);

@@ -11,8 +11,8 @@ struct vtkiGridCell
   vec2 blend;   // 0 at the first sample, 1 at the sample across
 };
 
-/* The cell that holds a pixel. step: pixels between samples; last: pixel at the image's upper right
- * corner. The last samples lie on the border and may be closer together. */
+/* Returns the cell that holds a pixel. step: pixels between samples; last: pixel at the image's
+ * upper right corner. The last samples lie on the border and may be closer together. */
 vtkiGridCell vtkiFindCell(ivec2 pixel, int step, ivec2 last)
 {
   vtkiGridCell cell;
@@ -23,7 +23,8 @@ vtkiGridCell vtkiFindCell(ivec2 pixel, int step, ivec2 last)
   return cell;
 }
 
-/* Bilinear weight of sample i of four: the first, the next along x, along y, and across. */
+/* Returns the bilinear weight of sample i of four: the first, the next along x, along y, and
+ * across. */
 float vtkiCellWeight(vtkiGridCell cell, int i)
 {
   return ((i & 1) == 1 ? cell.blend.x : 1.0f - cell.blend.x) *
@@ -35,8 +36,8 @@ float vtkiCellWeight(vtkiGridCell cell, int i)
 const float VTKI_INTERPOLATION_COSINE = 0.9f;
 const float VTKI_INTERPOLATION_DISTANCE = 0.5f;
 
-/* True when two normals agree and a position lies near the second's tangent plane. offset: from one
- * position to the other. */
+/* Returns true when two normals agree and a position lies near the second's tangent plane. offset:
+ * from one position to the other. */
 bool vtkiLiesOnPlane(
   vec3 offset, vec3 normal, vec3 planeNormal, float minimumCosine, float planeTolerance)
 {
@@ -44,8 +45,9 @@ bool vtkiLiesOnPlane(
     abs(dot(planeNormal, offset)) <= planeTolerance;
 }
 
-/* True when a sample lies on the pixel's surface: normals agree and each lies near the other's
- * tangent plane. offset: sample minus pixel position; footprint: distance between samples there. */
+/* Returns true when a sample lies on the pixel's surface: normals agree and each lies near the
+ * other's tangent plane. offset: sample minus pixel position; footprint: distance between samples
+ * there. */
 bool vtkiSameSurface(
   vec3 offset, vec3 normal, vec3 sampleNormal, float minimumCosine, float planeTolerance)
 {
@@ -66,9 +68,9 @@ float vtkiAgreement(vec3 offset, vec3 normal, vec3 sampleNormal, float distance)
   return c4 * c4 / (1.0f + away2 * away2);
 }
 
-/* True only if vtkiSameSurface holds between any two of several positions, from their largest
- * deviations from one of them: height over its plane, length of a normal's difference to its
- * normal, distance from it. For smooth, strongly curved surfaces it may be false although the
+/* Returns true only if vtkiSameSurface holds between any two of several positions, from their
+ * largest deviations from one of them: height over its plane, length of a normal's difference to
+ * its normal, distance from it. For smooth, strongly curved surfaces it may be false although the
  * condition holds. Normals differ by 2 turn at most, and chords of length c have the cosine 1 - c^2
  * / 2. Along the one normal two positions are 2 height apart, along another turn times their
  * distance more. */

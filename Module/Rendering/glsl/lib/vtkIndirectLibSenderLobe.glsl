@@ -20,12 +20,13 @@ float vtkiLobePower(float sine2, float exponent)
   return exp(0.5f * exponent * vtkiLogOfRest(min(sine2, 1.0f)));
 }
 
-/* Share of a lobe cos^exponent above a plane, over which its axis is raised by an angle e in [0, pi
- * / 2] with this sine: the integral of cos^exponent from -e to pi / 2 over that from -pi / 2 to pi
- * / 2, which is Student's distribution for exponent + 1 degrees of freedom at sqrt(exponent + 1)
- * tan(e). Approximated by a normal distribution (Wallace 1959, "Bounds on normal approximations to
- * Student's and the chi-square distributions"; Page 1977, "Approximations to the cumulative normal
- * function"), with an error of 0.9 % at exponent 0, 0.3 % at 1, 0.04 % from 10 on. */
+/* Returns the share of a lobe cos^exponent above a plane, over which its axis is raised by an angle
+ * e in [0, pi / 2] with this sine: the integral of cos^exponent from -e to pi / 2 over that from
+ * -pi / 2 to pi / 2, which is Student's distribution for exponent + 1 degrees of freedom at
+ * sqrt(exponent + 1) tan(e). Approximated by a normal distribution (Wallace 1959, "Bounds on normal
+ * approximations to Student's and the chi-square distributions"; Page 1977, "Approximations to the
+ * cumulative normal function"), with an error of 0.9 % at exponent 0, 0.3 % at 1, 0.04 % from 10
+ * on. */
 float vtkiShareAbove(float exponent, float sine)
 {
   float freedom = exponent + 1.0f;
@@ -34,17 +35,17 @@ float vtkiShareAbove(float exponent, float sine)
   return 1.0f / (1.0f + exp(-min(z * (1.5976f + 0.07056f * z * z), 80.0f)));
 }
 
-/* N, the integral of max(r.w, 0)^exponent over the directions w above a surface, on which the
- * lobe's axis r has this cosine, in [0,1]. Errors as vtkiShareAbove. */
+/* Returns N, the integral of max(r.w, 0)^exponent over the directions w above a surface, on which
+ * the lobe's axis r has this cosine, in [0,1]. Errors as vtkiShareAbove. */
 float vtkiLobeIntegral(float exponent, float cosine)
 {
   return 2.0f * VTKI_PI / (exponent + 1.0f) * vtkiShareAbove(exponent, max(cosine, 0.0f));
 }
 
-/* The integral over the same directions of max(r.w, 0)^exponent (n.w): flux of a surface that shows
- * VTK's specular term of coefficient one to every eye, over its area and the light's strength. Not
- * proportional to the cosine: near grazing light VTK's term returns more than falls onto the
- * surface. In two factors: along the plane of n and r the lobe is cos^exponent, across it
+/* Returns the integral over the same directions of max(r.w, 0)^exponent (n.w): flux of a surface
+ * that shows VTK's specular term of coefficient one to every eye, over its area and the light's
+ * strength. Not proportional to the cosine: near grazing light VTK's term returns more than falls
+ * onto the surface. In two factors: along the plane of n and r the lobe is cos^exponent, across it
  * cos^(exponent + 2). Error 0.2 %. */
 float vtkiPhongFlux(float exponent, float cosine)
 {
@@ -57,9 +58,9 @@ float vtkiPhongFlux(float exponent, float cosine)
     across * vtkiLobePower(sine * sine, m) / (exponent + 1.0f);
 }
 
-/* Exponent of the lobe about the mirror direction of about the width of VTK's PBR at this
- * roughness, whose square is the alpha of the distribution of half vectors: 2 / alpha^2 - 2 for
- * half vectors (Walter, Marschner, Li, Torrance 2007, "Microfacet models for refraction through
+/* Returns the exponent of the lobe about the mirror direction of about the width of VTK's PBR at
+ * this roughness, whose square is the alpha of the distribution of half vectors: 2 / alpha^2 - 2
+ * for half vectors (Walter, Marschner, Li, Torrance 2007, "Microfacet models for refraction through
  * rough surfaces", section 5.2), a quarter of that for directions, which turn by twice the half
  * vector's angle (Fisher, Woo 1994, "R.E versus N.H specular highlights"). */
 float vtkiExponentOfRoughness(float roughness)
@@ -87,10 +88,10 @@ float vtkiLobeExponent(float exponent, float distance, float area)
   return exponent * nearness * nearness;
 }
 
-/* Area term added to the squared distance in the denominator: A / pi for diffuse light, as of the
- * disk of vtkiVirtualLightWeight, and less for a lobe, which does not spread over the hemisphere on
- * its way; the widened exponent bounds it. With A / pi a caustic close to its mirror would lose a
- * tenth of its flux. */
+/* Returns the area term added to the squared distance in the denominator: A / pi for diffuse light,
+ * as of the disk of vtkiVirtualLightWeight, and less for a lobe, which does not spread over the
+ * hemisphere on its way; the widened exponent bounds it. With A / pi a caustic close to its mirror
+ * would lose a tenth of its flux. */
 float vtkiLobeSize(float exponent, float area)
 {
   return area / (VTKI_PI * max(exponent, 1.0f));
@@ -129,8 +130,8 @@ float vtkiSenderLobeWeight(
     vtkiSenderLobeStrength(toSender, normalS, direction, exponent, area);
 }
 
-/* True if less than 1e-6 of a lobe is left at a receiver, as at most receivers, which then need no
- * evaluation. The exponent is 4 r^2 / area near the light (vtkiLobeExponent). */
+/* Returns true if less than 1e-6 of a lobe is left at a receiver, as at most receivers, which then
+ * need no evaluation. The exponent is 4 r^2 / area near the light (vtkiLobeExponent). */
 bool vtkiIsBesideLobe(vec3 toSender, vec3 direction, float exponent, float area)
 {
   float r2 = dot(toSender, toSender);
@@ -138,10 +139,10 @@ bool vtkiIsBesideLobe(vec3 toSender, vec3 direction, float exponent, float area)
   return along <= 0.0f || min(exponent, 4.0f * r2 / area) * (r2 - along * along) > 28.0f * r2;
 }
 
-/* Bound of the error of vtkiSenderLobeStrength times the distance when interpolated over a patch of
- * this radius about a receiver: an eighth of the second derivative over the patch's width, which
- * for a lobe cos^m is at most m max(1, m sin^2) times the lobe at the nearest angle, and for 1 /
- * r^2 six over r^2; at most the whole. */
+/* Returns the bound of the error of vtkiSenderLobeStrength times the distance when interpolated
+ * over a patch of this radius about a receiver: an eighth of the second derivative over the patch's
+ * width, which for a lobe cos^m is at most m max(1, m sin^2) times the lobe at the nearest angle,
+ * and for 1 / r^2 six over r^2; at most the whole. */
 float vtkiSenderLobeVariation(
   vec3 toSender, vec3 normalS, vec3 direction, float exponent, float area, float radius)
 {
@@ -165,7 +166,7 @@ float vtkiSenderLobeVariation(
   return strength * min(0.5f * shift * shift * curvature, 1.0f);
 }
 
-/* Direction in which a surface of this unit normal mirrors light; toLight: unit. */
+/* Returns the direction in which a surface of this unit normal mirrors light; toLight: unit. */
 vec3 vtkiMirroredLight(vec3 toLight, vec3 normal)
 {
   return 2.0f * dot(normal, toLight) * normal - toLight;

@@ -13,8 +13,8 @@ float vtkiDepthToBuffer(float depth, float nearPlane, float farPlane, bool paral
   return depth > 0.0f ? farPlane * (depth - nearPlane) / (depth * (farPlane - nearPlane)) : 0.0f;
 }
 
-/* Derivative of vtkiDepthToBuffer by linear depth: converts a length along the axis to a difference
- * of depths. */
+/* Returns the derivative of vtkiDepthToBuffer by linear depth: converts a length along the axis to
+ * a difference of depths. */
 float vtkiDepthToBufferSlope(float depth, float nearPlane, float farPlane, bool parallel)
 {
   if (parallel)
@@ -24,12 +24,12 @@ float vtkiDepthToBufferSlope(float depth, float nearPlane, float farPlane, bool 
   return depth > 0.0f ? farPlane * nearPlane / (depth * depth * (farPlane - nearPlane)) : 0.0f;
 }
 
-/* Gradient of a receiver's plane in the depth buffer: change per texel in x and y, and 1 in z, or 0
- * in z for a plane that does not face the map. The depth buffer's value is affine over the image of
- * a plane, so this is exact, and every texel can be compared with the plane's own depth there. p:
- * receiver in the map's view coordinates (-z forward); n: its unit normal there; texel: width of a
- * texel in tangents (perspective) or lengths (parallel). The plane n.x = n.p meets the ray through
- * tangents t at depth (n.p) / (n.(t,-1)). */
+/* Returns the gradient of a receiver's plane in the depth buffer: change per texel in x and y, and
+ * 1 in z, or 0 in z for a plane that does not face the map. The depth buffer's value is affine over
+ * the image of a plane, so this is exact, and every texel can be compared with the plane's own
+ * depth there. p: receiver in the map's view coordinates (-z forward); n: its unit normal there;
+ * texel: width of a texel in tangents (perspective) or lengths (parallel). The plane n.x = n.p
+ * meets the ray through tangents t at depth (n.p) / (n.(t,-1)). */
 vec3 vtkiPlaneDepthGradient(
   vec3 p, vec3 n, float texel, float nearPlane, float farPlane, bool parallel)
 {
@@ -64,10 +64,10 @@ vec2 vtkiUnpackSlope(float bits)
 // since other facets may lie between them.
 const float VTKI_SHADOW_FACET_COSINE = 0.7f;
 
-/* A receiver as its map sees it: reference, the depth that would be stored; gradient, its plane's
- * change of depth over a texel; perTexel, one over a texel's width along depth. A nearer stored
- * depth still belongs to the receiver's own surface within rounding on its plane, and within the
- * bias on the curved surface that its facets approximate. */
+/* This is a receiver as its map sees it: reference, the depth that would be stored; gradient, its
+ * plane's change of depth over a texel; perTexel, one over a texel's width along depth. A nearer
+ * stored depth still belongs to the receiver's own surface within rounding on its plane, and within
+ * the bias on the curved surface that its facets approximate. */
 struct vtkiShadowPlane
 {
   float reference;
@@ -105,15 +105,16 @@ vtkiShadowVotes vtkiBeginShadow()
   return votes;
 }
 
-/* The four texels around a receiver, by number: two rows of two. */
+/* Returns the four texels around a receiver, by number: two rows of two. */
 vec2 vtkiShadowNeighbor(int i)
 {
   float row = i > 1 ? 1.0f : 0.0f;
   return vec2(float(i) - 2.0f * row, row);
 }
 
-/* Weight of such a texel: a tent two texels wide, so that light and shadow pass an edge by a texel
- * at most. fraction: from the first texel's centre to the receiver, in texels, 0 to 1. */
+/* Returns the weight of such a texel: a tent two texels wide, so that light and shadow pass an edge
+ * by a texel at most. fraction: from the first texel's centre to the receiver, in texels, 0 to 1.
+ */
 float vtkiShadowWeight(vec2 neighbor, vec2 fraction)
 {
   return (neighbor.x > 0.0f ? fraction.x : 1.0f - fraction.x) *
@@ -167,16 +168,16 @@ void vtkiVoteOnShadow(vtkiShadowPlane receiver, vec2 offset, float stored, vec2 
   votes.gradient = first ? gradient : votes.gradient;
 }
 
-/* Depth by which the receiver's own surface may lie behind its plane at a texel around it: it may
- * bend away by half a texel's width and half of its rise over one. */
+/* Returns the depth by which the receiver's own surface may lie behind its plane at a texel around
+ * it: it may bend away by half a texel's width and half of its rise over one. */
 float vtkiMostBehind(vtkiShadowPlane receiver)
 {
   return receiver.bias + 0.5f * (abs(receiver.gradient.x) + abs(receiver.gradient.y));
 }
 
-/* True if a texel that sees the receiver counts, by its number. It does not count beyond the line
- * where the occluder meets the receiver's plane, as on the other side of a thin wall, nor if it
- * shows the occluder, nor if its surface lies so far behind the receiver's plane that the
+/* Returns true if a texel that sees the receiver counts, by its number. It does not count beyond
+ * the line where the occluder meets the receiver's plane, as on the other side of a thin wall, nor
+ * if it shows the occluder, nor if its surface lies so far behind the receiver's plane that the
  * receiver's surface has ended, as beyond the rim of a closed body with the receiver inside. */
 bool vtkiCountsForShadow(
   vtkiShadowPlane receiver, vec2 offset, float stored, int number, vtkiShadowVotes votes)

@@ -6,17 +6,18 @@
 #define vtkIndirectLibSky
 #include "vtkIndirectLibSurface.glsl"
 
-// Texels along an edge; an odd number, so that the folds of the octahedron lie on texels.
+// These are the texels along an edge; an odd number, so that the folds of the octahedron lie on
+// texels.
 const int VTKI_OPEN_SKY_TEXELS = 49;
 
-/* The normal whose irradiance a texel holds. */
+/* Returns the normal whose irradiance a texel holds. */
 vec3 vtkiOpenSkyNormal(vec2 texel)
 {
   float scale = 2.0f / float(VTKI_OPEN_SKY_TEXELS - 1);
   return vtkiOctahedralDecode(vec2(scale * texel.x - 1.0f, scale * texel.y - 1.0f));
 }
 
-/* Texture coordinates of a unit normal's irradiance, in [0,1]^2. */
+/* Returns the texture coordinates of a unit normal's irradiance, in [0,1]^2. */
 vec2 vtkiOpenSkyPlace(vec3 normal)
 {
   vec2 p = vtkiOctahedralEncode(normal);

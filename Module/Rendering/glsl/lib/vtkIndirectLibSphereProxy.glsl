@@ -7,7 +7,7 @@
 #include "vtkIndirectLibPortable.glsl"
 #include "vtkIndirectLibProxyOperator.glsl"
 
-/* The constant function Y00, of unit norm over the sphere. */
+/* This is the constant function Y00, of unit norm over the sphere. */
 const float VTKI_HARMONICS_Y00 = 0.28209479f;
 /* f without its constant is halved until its length is at most this. */
 const float VTKI_HARMONICS_HALVING = 0.25f;
@@ -15,7 +15,7 @@ const float VTKI_HARMONICS_HALVING = 0.25f;
  * that fills a hemisphere: further spheres at the same place hide nothing more. */
 const float VTKI_HARMONICS_LONGEST = 12.0f;
 
-/* All 16 functions at a unit direction. */
+/* Returns all 16 functions at a unit direction. */
 vtkiHarmonics4 vtkiHarmonics4At(vec3 d)
 {
   vtkiHarmonics4 y;
@@ -36,7 +36,7 @@ float vtkiHarmonicsDot(vtkiHarmonics4 f, vtkiHarmonics4 g)
   return dot(f.A, g.A) + dot(f.B, g.B) + dot(f.C, g.C) + dot(f.D, g.D);
 }
 
-/* f + s g */
+/* Returns f + s g. */
 vtkiHarmonics4 vtkiHarmonicsAdd(vtkiHarmonics4 f, float s, vtkiHarmonics4 g)
 {
   vtkiHarmonics4 h;
@@ -60,8 +60,8 @@ vtkiHarmonics4 vtkiZonalTo(vec4 zonal, vec3 d)
   return y;
 }
 
-/* The clamped cosine about a unit normal, over pi: its product with the light's coefficients is
- * irradiance in VTK's unit. Its band 3 is zero. */
+/* Returns the clamped cosine about a unit normal, over pi: its product with the light's
+ * coefficients is irradiance in VTK's unit. Its band 3 is zero. */
 vtkiHarmonics4 vtkiClampedCosine(vec3 n)
 {
   return vtkiZonalTo(vec4(0.28209479f, 0.32573501f, 0.15769578f, 0.0f), n);
@@ -113,8 +113,8 @@ vtkiHarmonics4 vtkiHarmonicsExp(vtkiHarmonics4 f)
   return vtkiHarmonicsAdd(zero, seen > 1.0f ? whole / seen : whole, e);
 }
 
-/* Row of the table for a sphere of that sine, from 0 to 1: rows go with the solid angle, which is
- * the leading term of the logarithm. */
+/* Returns the row of the table for a sphere of that sine, from 0 to 1: rows go with the solid
+ * angle, which is the leading term of the logarithm. */
 float vtkiProxyRow(float sine)
 {
   return 1.0f - sqrt(max(1.0f - sine * sine, 0.0f));
@@ -141,8 +141,8 @@ vtkiLightMatrix vtkiMakeLightMatrix(vtkiHarmonics4 light)
   return m;
 }
 
-/* C(n): light times clamped cosine over pi. Its dot product with visibility is irradiance (VTK
- * units: without occlusion a constant radiance L gives L). */
+/* Returns C(n): light times clamped cosine over pi. Its dot product with visibility is irradiance
+ * (VTK units: without occlusion a constant radiance L gives L). */
 vtkiHarmonics4 vtkiLitCosine(vtkiLightMatrix m, vec3 n)
 {
   vtkiHarmonics4 h = vtkiClampedCosine(n);
@@ -157,9 +157,9 @@ vtkiHarmonics4 vtkiLitCosine(vtkiLightMatrix m, vec3 n)
   return vtkiHarmonicsAdd(c, h.C.x, m.Columns[8]);
 }
 
-/* Gradient of irradiance by the normal, taken as any vector, for light in its first nine
- * coefficients. Irradiance of a nearby normal is that here plus the gradient's product with their
- * difference. */
+/* Returns the gradient of irradiance by the normal, taken as any vector, for light in its first
+ * nine coefficients. Irradiance of a nearby normal is that here plus the gradient's product with
+ * their difference. */
 vec3 vtkiIrradianceGradient(vtkiHarmonics4 light, vec3 n)
 {
   float k = 0.27313711f;
@@ -168,8 +168,8 @@ vec3 vtkiIrradianceGradient(vtkiHarmonics4 light, vec3 n)
     0.32573501f * light.A.z + k * (light.B.y * n.y + light.B.w * n.x) + 0.47308736f * light.B.z * n.z);
 }
 
-/* Irradiance from a disk of radiance 1, by the cosine between its middle and the normal: of order
- * 3. */
+/* Returns the irradiance from a disk of radiance 1, by the cosine between its middle and the
+ * normal: of order 3. */
 float vtkiDiskIrradiance(float sine, float cosine)
 {
   float s2 = sine * sine;
@@ -177,16 +177,17 @@ float vtkiDiskIrradiance(float sine, float cosine)
   return max(0.5f * s2 / (1.0f + c) + 0.5f * s2 * cosine + 0.15625f * c * s2 * (3.0f * cosine * cosine - 1.0f), 0.0f);
 }
 
-/* Sine of half the angle under which a sphere counts for a receiver of unit normal n; toCenter from
- * the receiver. Seen from outside it is r / d, also if the sphere crosses the receiver's plane.
- * Spheres that contain the receiver are mostly those of its own surface; farther outside the sine
- * blends into r / d, so that it is continuous. A drawn sphere (`drawn`) is the receiver's own if
- * its centre is straight below, to 18 degrees: normals and positions are those of its facets or of
- * an intersecting neighbour's, and the farther the centre is aside, the more of the sphere is above
- * the plane. Spheres that represent a surface may lie on either side of it. A sphere with its
- * centre below the plane is shrunk until it ends at the plane; one with its centre above hides more
- * the higher that is, all of its side from a quarter of the radius on, and the blend extends as far
- * outside. Too bright within that distance beside a body half sunk into the ground. */
+/* Returns the sine of half the angle under which a sphere counts for a receiver of unit normal n;
+ * toCenter from the receiver. Seen from outside it is r / d, also if the sphere crosses the
+ * receiver's plane. Spheres that contain the receiver are mostly those of its own surface; farther
+ * outside the sine blends into r / d, so that it is continuous. A drawn sphere (`drawn`) is the
+ * receiver's own if its centre is straight below, to 18 degrees: normals and positions are those of
+ * its facets or of an intersecting neighbour's, and the farther the centre is aside, the more of
+ * the sphere is above the plane. Spheres that represent a surface may lie on either side of it. A
+ * sphere with its centre below the plane is shrunk until it ends at the plane; one with its centre
+ * above hides more the higher that is, all of its side from a quarter of the radius on, and the
+ * blend extends as far outside. Too bright within that distance beside a body half sunk into the
+ * ground. */
 float vtkiProxySine(vec3 toCenter, float radius, vec3 n, bool drawn)
 {
   float d = length(toCenter);
@@ -218,17 +219,18 @@ float vtkiProxyInside(vec3 toCenter, float radius, vec3 n)
   return into * min(max(1.0f - outside / (0.5f * radius), 0.0f), 1.0f);
 }
 
-/* Weight of a sphere by its height over the receiver's plane, from the cosine of its middle and its
- * own sine: zero for one wholly below, such as the receiver's own sphere, which touches the plane.
- * In order 4 such a sphere would ring into the upper half, as dark as 0.05 of the sky, most of all
- * where the ground fills the lower half as well. */
+/* Returns the weight of a sphere by its height over the receiver's plane, from the cosine of its
+ * middle and its own sine: zero for one wholly below, such as the receiver's own sphere, which
+ * touches the plane. In order 4 such a sphere would ring into the upper half, as dark as 0.05 of
+ * the sky, most of all where the ground fills the lower half as well. */
 float vtkiProxyAbove(float cosine, float sine)
 {
   float t = min(max(10.0f * (cosine / max(sine, 1.0e-30f) + 1.0f), 0.0f), 1.0f);
   return t * t * (3.0f - 2.0f * t);
 }
 
-/* Mean over the visible disk of band l at the sphere's normals, l = 0, 1, 2 (D0 to D2). */
+/* Returns the mean over the visible disk of band l at the sphere's normals, l = 0, 1, 2 (D0 to D2).
+ */
 vec3 vtkiProxyAverage(float sine)
 {
   return vec3(0.28209479f, (0.08434643f * sine - 0.25075079f) * sine - 0.32493353f,
@@ -245,14 +247,15 @@ float vtkiProxyRadiance(vtkiHarmonics4 light, vec3 d, float sine)
   return vtkiHarmonicsDot(y, light);
 }
 
-/* Radiance at the sphere's middle (Eq 13): an error of 7 to 8 % where the mean has 0.3 %. */
+/* Returns the radiance at the sphere's middle (Eq 13): an error of 7 to 8 % where the mean has 0.3
+ * %. */
 float vtkiProxyRadianceAtMiddle(vtkiHarmonics4 light, vec3 d)
 {
   return vtkiHarmonicsDot(vtkiClampedCosine(-d), light);
 }
 
-/* Half the gradient of band 2 of a function in the direction of a vector: its product with the
- * vector is the function. */
+/* Returns half the gradient of band 2 of a function in the direction of a vector: its product with
+ * the vector is the function. */
 vec3 vtkiBandTwo(vtkiHarmonics4 f, vec3 v)
 {
   float k = 0.54627422f;
@@ -261,11 +264,11 @@ vec3 vtkiBandTwo(vtkiHarmonics4 f, vec3 v)
     k * (f.B.x * v.x + f.B.y * v.z - f.C.x * v.y) - z * v.y, k * (f.B.y * v.y + f.B.w * v.x) + 2.0f * z * v.z);
 }
 
-/* Irradiance at a unit normal n, in VTK's unit and over the sphere's solid angle, from a sphere of
- * albedo 1 in a unit direction d, each point as bright as its own normal makes it, under light
- * without occlusion (Eq 17); `light` of one colour, its first nine coefficients. Instead of
- * rotating light and result, both are decomposed along d and u, the part of n across d: n is the
- * cosine's only direction. */
+/* Returns the irradiance at a unit normal n, in VTK's unit and over the sphere's solid angle, from
+ * a sphere of albedo 1 in a unit direction d, each point as bright as its own normal makes it,
+ * under light without occlusion (Eq 17); `light` of one colour, its first nine coefficients.
+ * Instead of rotating light and result, both are decomposed along d and u, the part of n across d:
+ * n is the cosine's only direction. */
 float vtkiProxyExactIrradiance(vtkiProxyOperator m, vtkiHarmonics4 light, vec3 d, vec3 n)
 {
   float c = dot(n, d);
@@ -299,11 +302,11 @@ float vtkiProxyOverlap(vtkiHarmonics4 seen, float solidAngle)
   return solidAngle > 0.0f ? min(max(hidden / solidAngle, 0.0f), 1.0f) : 0.0f;
 }
 
-/* Occlusion of a uniform sky of radiance 1 by the spheres at a normal, over their irradiance if all
- * of them had radiance 1, each with its weight as a sender: the factor of their summed light. So
- * the occluders together send the weighted mean of their light in proportion to the sky they hide.
- * Solid angles would combine both sides of the receiver, which are crowded behind a receiver on a
- * body and sparse in front of it. */
+/* Returns the occlusion of a uniform sky of radiance 1 by the spheres at a normal, over their
+ * irradiance if all of them had radiance 1, each with its weight as a sender: the factor of their
+ * summed light. So the occluders together send the weighted mean of their light in proportion to
+ * the sky they hide. Solid angles would combine both sides of the receiver, which are crowded
+ * behind a receiver on a body and sparse in front of it. */
 float vtkiProxyMean(vtkiHarmonics4 seen, vec3 normal, float given)
 {
   float hidden = 1.0f - vtkiHarmonicsDot(seen, vtkiClampedCosine(normal));

@@ -59,18 +59,18 @@ bool vtkiNextCell(VTKI_INOUT(vtkiCells) w)
   return on;
 }
 
-/* One over the square of a segment's length, for vtkiSphereBlocks. */
+/* Returns one over the square of a segment's length, for vtkiSphereBlocks. */
 float vtkiInverseSquare(vec3 along)
 {
   return 1.0f / max(dot(along, along), 1.0e-30f);
 }
 
-/* True if a sphere (center, radius) stands between the ends of a segment. A sphere that contains an
- * end does not count: it is the surface that the end lies on, or, where spheres represent a mesh,
- * extends beyond that. Nor does a sphere with an end on its surface, if the segment leaves it,
- * without any tolerance. Computed from the point nearest to the center: a difference of squares
- * would lose spheres that are small against their distance (Haines, Gunther, Akenine-Moeller 2019,
- * "Precision improvements for ray/sphere intersection"). */
+/* Returns true if a sphere (center, radius) stands between the ends of a segment. A sphere that
+ * contains an end does not count: it is the surface that the end lies on, or, where spheres
+ * represent a mesh, extends beyond that. Nor does a sphere with an end on its surface, if the
+ * segment leaves it, without any tolerance. Computed from the point nearest to the center: a
+ * difference of squares would lose spheres that are small against their distance (Haines, Gunther,
+ * Akenine-Moeller 2019, "Precision improvements for ray/sphere intersection"). */
 bool vtkiSphereBlocks(vec3 start, vec3 along, float inverseSquare, vec4 sphere)
 {
   vec3 away = start - vec3(sphere.x, sphere.y, sphere.z);

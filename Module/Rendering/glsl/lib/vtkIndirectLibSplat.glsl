@@ -4,9 +4,9 @@
 #define vtkIndirectLibSplat
 #include "vtkIndirectLibPortable.glsl"
 
-// The length of IntensityThreshold: the lowest intensity over a squared distance that counts is
-// IntensityThreshold * mean intensity / VTKI_SPLAT_LENGTH^2. In scene units, the diagonal of the
-// scene's bounds: a threshold of 0.05 bounds the mean light at 0.22 diagonals.
+// This is the length of IntensityThreshold: the lowest intensity over a squared distance that
+// counts is IntensityThreshold * mean intensity / VTKI_SPLAT_LENGTH^2. In scene units, the diagonal
+// of the scene's bounds: a threshold of 0.05 bounds the mean light at 0.22 diagonals.
 const float VTKI_SPLAT_LENGTH = 0.05f;
 
 // Margin of bounds for rounding.
@@ -17,7 +17,7 @@ const float VTKI_SPLAT_MARGIN = 1.0001f;
 // disk. Beyond, one such light adds at most a sixteenth of that.
 const float VTKI_SPLAT_NEAR = 4.0f;
 
-// An ellipsoid of revolution that encloses the light's iso-surface.
+// This is an ellipsoid of revolution that encloses the light's iso-surface.
 struct vtkiSplat
 {
   vec3 center;
@@ -26,8 +26,8 @@ struct vtkiSplat
   float across; // half its width; negative: empty
 };
 
-/* Logarithm of n / (n + 2), n > 0. For large n the quotient would round to one: the logarithm is -2
- * atanh(1 / (n + 1)). */
+/* Returns the logarithm of n / (n + 2), n > 0. For large n the quotient would round to one: the
+ * logarithm is -2 atanh(1 / (n + 1)). */
 float vtkiSplatLogarithm(float n)
 {
   float t = 1.0f / (n + 1.0f);
@@ -36,10 +36,10 @@ float vtkiSplatLogarithm(float n)
   return n > 8.0f ? series : log(n / (n + 2.0f));
 }
 
-/* Widest point of the iso-surface r(a) = cos(a)^(n/2) of an intensity cos(a)^n: its place along the
- * axis, and its distance from the axis (Dachsbacher and Stamminger 2006, "Splatting indirect
- * illumination", equations (7) and (8)). With k = n / (n + 2) these are k^((n+2)/4), where the
- * printed equation lacks an exponent, and k^(n/4) sqrt(2 / (n + 2)). n: 0 and above. */
+/* Returns the widest point of the iso-surface r(a) = cos(a)^(n/2) of an intensity cos(a)^n: its
+ * place along the axis, and its distance from the axis (Dachsbacher and Stamminger 2006, "Splatting
+ * indirect illumination", equations (7) and (8)). With k = n / (n + 2) these are k^((n+2)/4), where
+ * the printed equation lacks an exponent, and k^(n/4) sqrt(2 / (n + 2)). n: 0 and above. */
 vec2 vtkiSplatWidest(float n)
 {
   float logarithm = n > 1.0e-6f ? vtkiSplatLogarithm(n) : 0.0f;
@@ -47,12 +47,12 @@ vec2 vtkiSplatWidest(float n)
   return n > 1.0e-6f ? widest : vec2(0.0f, 1.0f);
 }
 
-/* The ellipsoid around that surface scaled to `size`: the appendix's own, with centre and width at
- * the surface's widest point, and long enough for its ends. It encloses the surface for every
- * exponent from 0 on, not from 1 on only. ball: radius about the light within which the exponent
- * may be lower: the ellipsoid encloses this ball, too. With both halves at least sqrt(2) times the
- * ball's extent along and across, any of its points p has (p.along / along)^2 <= 1/2 and (p.across
- * / across)^2 <= 1/2. */
+/* Returns the ellipsoid around that surface scaled to `size`: the appendix's own, with centre and
+ * width at the surface's widest point, and long enough for its ends. It encloses the surface for
+ * every exponent from 0 on, not from 1 on only. ball: radius about the light within which the
+ * exponent may be lower: the ellipsoid encloses this ball, too. With both halves at least sqrt(2)
+ * times the ball's extent along and across, any of its points p has (p.along / along)^2 <= 1/2 and
+ * (p.across / across)^2 <= 1/2. */
 vtkiSplat vtkiMakeSplat(vec3 position, vec3 axis, float exponent, float size, float ball)
 {
   vec2 widest = size * vtkiSplatWidest(exponent);
@@ -78,8 +78,8 @@ vtkiSplat vtkiWholeScene()
   return splat;
 }
 
-/* The splat, or the whole scene if that is smaller: a light lies within half a diagonal of the
- * middle, and an ellipsoid of twice the size is equivalent to an infinite one. */
+/* Returns the splat, or the whole scene if that is smaller: a light lies within half a diagonal of
+ * the middle, and an ellipsoid of twice the size is equivalent to an infinite one. */
 vtkiSplat vtkiWithinScene(vtkiSplat splat)
 {
   vtkiSplat whole = vtkiWholeScene();
@@ -99,8 +99,8 @@ vec3 vtkiSplatPoint(vtkiSplat splat, vec3 unit)
   return splat.center + splat.across * unit + ((splat.along - splat.across) * along) * splat.axis;
 }
 
-/* False only if the ellipsoid does not meet a box. Uses the box's nearest points along and across,
- * which may differ. */
+/* Returns false only if the ellipsoid does not meet a box. Uses the box's nearest points along and
+ * across, which may differ. */
 bool vtkiSplatMeetsBox(vtkiSplat splat, vec3 middle, vec3 halfSize)
 {
   vec3 d = middle - splat.center;
@@ -118,10 +118,10 @@ float vtkiSplatForm(vtkiSplat splat, vec3 u, vec3 v)
   return splat.across * splat.across * dot(u, v) + difference * dot(u, splat.axis) * dot(v, splat.axis);
 }
 
-/* Least and largest value of x / w over the ellipsoid, x and w affine in the position: rows of a
- * projection. Exact if all of it lies in front of the eye's plane w = 0. Returns 1 then, -1 if all
- * of it lies behind, and 0 if it meets that plane, so that there is no range. The discriminant
- * avoids the difference of its squares, which would cancel for a small ellipsoid. */
+/* Returns the least and largest value of x / w over the ellipsoid, x and w affine in the position:
+ * rows of a projection. Exact if all of it lies in front of the eye's plane w = 0. Returns 1 then,
+ * -1 if all of it lies behind, and 0 if it meets that plane, so that there is no range. The
+ * discriminant avoids the difference of its squares, which would cancel for a small ellipsoid. */
 int vtkiSplatRange(vtkiSplat splat, vec4 rowX, vec4 rowW, VTKI_OUT(vec2) range)
 {
   vec3 x = vec3(rowX.x, rowX.y, rowX.z);
@@ -151,13 +151,14 @@ float vtkiSplatShare(float level, bool fades)
   return fades ? t * t * (3.0f - 2.0f * t) : (level >= 1.0f ? 1.0f : 0.0f);
 }
 
-/* Radius within which a light of that area always counts. */
+/* Returns the radius within which a light of that area always counts. */
 float vtkiNearReach(float area)
 {
   return VTKI_SPLAT_NEAR * sqrt(max(area, 0.0f) / VTKI_PI);
 }
 
-/* Share that counts by that radius: one within eight tenths of the reach, zero beyond it. */
+/* Returns the share that counts by that radius: one within eight tenths of the reach, zero beyond
+ * it. */
 float vtkiNearShare(float distance2, float reach)
 {
   float reach2 = max(reach * reach, 1.0e-30f);

@@ -7,7 +7,7 @@
 #define vtkIndirectLibSurface
 #include "vtkIndirectLibPortable.glsl"
 
-// Kinds of surface. A cleared texel is VTKI_SURFACE_NONE.
+// These are the kinds of surface. A cleared texel is VTKI_SURFACE_NONE.
 const float VTKI_SURFACE_NONE = 0.0f;
 const float VTKI_SURFACE_LINEAR = 1.0f;  // lit; the pixel holds linear colour
 const float VTKI_SURFACE_ENCODED = 2.0f; // lit by VTK's PBR; the pixel is encoded with gamma 2.2
@@ -22,8 +22,8 @@ float vtkiSignNotZero(float v)
   return v >= 0.0f ? 1.0f : -1.0f;
 }
 
-/* Unit vector to the octahedral square [-1,1]^2.
- * Meyer, Suessmuth, Sussner, Stamminger, Greiner 2010, "On floating-point normal vectors". */
+/* Maps a unit vector to the octahedral square [-1,1]^2. Meyer, Suessmuth, Sussner, Stamminger,
+ * Greiner 2010, "On floating-point normal vectors". */
 vec2 vtkiOctahedralEncode(vec3 n)
 {
   float norm1 = abs(n.x) + abs(n.y) + abs(n.z);
@@ -37,7 +37,8 @@ vec2 vtkiOctahedralEncode(vec3 n)
   return p;
 }
 
-/* Inverse of vtkiOctahedralEncode; the result is a unit vector for every input in [-1,1]^2. */
+/* Returns the inverse of vtkiOctahedralEncode; the result is a unit vector for every input in
+ * [-1,1]^2. */
 vec3 vtkiOctahedralDecode(vec2 p)
 {
   vec3 n = vec3(p.x, p.y, 1.0f - abs(p.x) - abs(p.y));
@@ -47,14 +48,14 @@ vec3 vtkiOctahedralDecode(vec2 p)
   return normalize(n);
 }
 
-/* Steps from 0 to 1 of an octahedral coordinate. Zero and both ends are steps, so that normals
- * along the axes are exact. */
+/* These are the steps from 0 to 1 of an octahedral coordinate. Zero and both ends are steps, so
+ * that normals along the axes are exact. */
 const float VTKI_CODE_STEPS_X = 16127.0f;
 const float VTKI_CODE_STEPS_Y = 16383.0f;
 
-/* Unit normal and kind in the bits of a float, from the highest: two of kind, 15 of x, 15 of y. x
- * begins at 256, which avoids the least exponent, whose floats may be flushed to zero, and the
- * largest, which makes no numbers. */
+/* Packs a unit normal and a kind into the bits of a float, from the highest: two of kind, 15 of x,
+ * 15 of y. x begins at 256, which avoids the least exponent, whose floats may be flushed to zero,
+ * and the largest, which makes no numbers. */
 float vtkiPackNormal(vec3 normal, float kind)
 {
   vec2 p = vtkiOctahedralEncode(normal);
@@ -71,8 +72,8 @@ vec4 vtkiPackSurface(vec3 normal, vec3 facet, float depth, float kind)
   return vec4(depth, vtkiPackNormal(normal, kind), vtkiPackNormal(facet, VTKI_SURFACE_LINEAR), 1.0f);
 }
 
-/* An unlit surface. number: of its prop; stored in the bits of y in place of a normal, beginning
- * with that of one towards the eye. Numbers repeat after 32768 props. */
+/* Packs an unlit surface. number: of its prop; stored in the bits of y in place of a normal,
+ * beginning with that of one towards the eye. Numbers repeat after 32768 props. */
 vec4 vtkiPackUnlit(float depth, int number)
 {
   uint x = uint(VTKI_CODE_STEPS_X + 256.5f);
@@ -90,7 +91,7 @@ float vtkiSurfaceKind(vec4 surface)
   return float(floatBitsToUint(surface.y) >> 30u);
 }
 
-/* Octahedral coordinates of a packed normal, each off by half a step at most. */
+/* Returns the octahedral coordinates of a packed normal, each off by half a step at most. */
 vec2 vtkiUnpackCode(float bits)
 {
   uint code = floatBitsToUint(bits);
@@ -119,8 +120,8 @@ bool vtkiSurfaceIsLit(vec4 surface)
   return surface.y > -2.0f && surface.y != 0.0f;
 }
 
-/* Position at linear depth on the ray through ndc in [-1,1]^2: origin and direction are affine in
- * ndc, for perspective (origin 0) and parallel (direction constant) projections alike. */
+/* Returns the position at linear depth on the ray through ndc in [-1,1]^2: origin and direction are
+ * affine in ndc, for perspective (origin 0) and parallel (direction constant) projections alike. */
 vec3 vtkiReconstruct(vec2 ndc, float depth, mat3 rayOrigin, mat3 rayDirection)
 {
   vec3 h = vec3(ndc.x, ndc.y, 1.0f);

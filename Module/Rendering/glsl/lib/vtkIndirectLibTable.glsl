@@ -8,7 +8,7 @@
 // two, so that an index takes two bit operations.
 const int VTKI_ROW_LENGTH = 256;
 
-// Entries of the table of zonal logarithms of spheres' visibility, over 1 - cos.
+// These are the entries of the table of zonal logarithms of spheres' visibility, over 1 - cos.
 const int VTKI_PROXY_TABLE = 1024;
 
 // Pixels that no coarse receiver of the spheres' sums represents share receivers in tiles of this
@@ -21,13 +21,13 @@ const int VTKI_PROXY_BLOCK = 4;
 const int VTKI_BRANCHES_PER_NODE = 8;
 const int VTKI_BRANCHES = 72;
 
-/* Texel of an entry. */
+/* Returns the texel of an entry. */
 ivec2 vtkiTableTexel(int entry)
 {
   return ivec2(entry % VTKI_ROW_LENGTH, entry / VTKI_ROW_LENGTH);
 }
 
-/* Entry of a texel. */
+/* Returns the entry of a texel. */
 int vtkiTableEntry(ivec2 texel)
 {
   return texel.x + VTKI_ROW_LENGTH * texel.y;

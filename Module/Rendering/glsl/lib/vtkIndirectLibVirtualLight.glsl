@@ -30,9 +30,9 @@ float vtkiVirtualLightStrength(vec3 toSender, vec3 normalS, float area)
   return denominator > 0.0f ? projectedS / denominator : 0.0f;
 }
 
-/* Square of the half width over which cosines spread for normals with this mean: three times their
- * variance along one direction, which is half of one minus the mean's squared length; a difference
- * within rounding counts as zero. */
+/* Returns the square of the half width over which cosines spread for normals with this mean: three
+ * times their variance along one direction, which is half of one minus the mean's squared length; a
+ * difference within rounding counts as zero. */
 float vtkiSpreadOfNormals(vec3 mean)
 {
   return 1.5f * max(1.0f - dot(mean, mean) - 1.0e-4f, 0.0f);
@@ -87,12 +87,13 @@ float vtkiPointLightStrength(vec3 toSender, vec3 normalS, vec3 normalR, float ar
   return vtkiMeanStrengthOver(toSender, normalS, normalR, r2, spread);
 }
 
-/* Bound of the factor by which a patch's light rises near its plane. Receivers that face a flat
- * patch get at most 9.8. */
+/* This is the bound of the factor by which a patch's light rises near its plane. Receivers that
+ * face a flat patch get at most 9.8. */
 const float VTKI_PATCH_RISE = 16.0f;
 
-/* Sine of the angle between a receiver's normal and its facet's, where facets meet at 8 degrees. A
- * larger one would cost light between planes that face each other at less than a patch's width. */
+/* This is the sine of the angle between a receiver's normal and its facet's, where facets meet at 8
+ * degrees. A larger one would cost light between planes that face each other at less than a patch's
+ * width. */
 const float VTKI_PATCH_FACET = 0.07f;
 
 /* A light that represents a patch of a surface, for receivers that may be near to it. */
@@ -161,8 +162,8 @@ float vtkiPatchLightWeight(vec3 toSender, vec3 normalS, vec3 normalR, float area
   return max(dot(normalR, light.toPlace), 0.0f) * light.strength;
 }
 
-/* Weight w such that light from a direction, of radiance times solid angle LO, adds LO * w to a
- * receiver's irradiance (VTK units: physical over pi). toLight, normalR: unit. */
+/* Returns the weight w such that light from a direction, of radiance times solid angle LO, adds LO
+ * * w to a receiver's irradiance (VTK units: physical over pi). toLight, normalR: unit. */
 float vtkiDirectionWeight(vec3 toLight, vec3 normalR)
 {
   return max(dot(normalR, toLight), 0.0f) / VTKI_PI;
