@@ -241,18 +241,6 @@ int vtkProxyAccumulationPass::GetActiveReceiverStep() const
 }
 
 //------------------------------------------------------------------------------
-double vtkProxyAccumulationPass::GetActiveInfluenceScale() const
-{
-  return ProxySum::Get(this).Hides;
-}
-
-//------------------------------------------------------------------------------
-double vtkProxyAccumulationPass::GetActiveIndirectInfluenceScale() const
-{
-  return ProxySum::Get(this).Sends;
-}
-
-//------------------------------------------------------------------------------
 vtkIndirectAbilities ProxySum::GetAbilities(double tolerance) const
 {
   vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);

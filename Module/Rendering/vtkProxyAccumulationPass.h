@@ -174,11 +174,6 @@ public:
   int GetNumberOfPolygons() const;
   /** Returns the pixels from one receiver to the next; 0 before a frame. */
   int GetActiveReceiverStep() const;
-  /**
-   * Return the radii within which a sphere hides and sends light; 0 with Groups and before a frame.
-   */
-  double GetActiveInfluenceScale() const;
-  double GetActiveIndirectInfluenceScale() const;
   ///@}
 
 protected:
