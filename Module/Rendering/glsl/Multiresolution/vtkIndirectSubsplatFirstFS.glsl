@@ -5,12 +5,14 @@
 
 uniform sampler2D vtkiSurface;
 
+#ifndef VTKI_DEPTH_RANGE
 // These are the criteria of a corner: heights over the tangent plane in pixel widths, above
 // rounding and below those of surfaces that only overlap in the view; normals that differ by 41
 // degrees.
 const float VTKI_LEAST_RISE = 0.05f;
 const float VTKI_GREATEST_RISE = 8.0f;
 const float VTKI_LEAST_TURN = 0.7f;
+#endif
 
 void main()
 {
@@ -33,13 +35,14 @@ void main()
     children.present[i] =
       vtkiSurfaceIsLit(surface) && pixel.x < vtkiSize.x && pixel.y < vtkiSize.y;
   }
+  children.split = false;
+#ifndef VTKI_DEPTH_RANGE
   // Irradiance bends within a pixel where a second surface rises over the first, even if no texel
   // holds both surfaces: test one pixel on each side.
   vec3 alongOrigin = children.normal[0] * vtkiRayOrigin;
   vec3 alongDirection = children.normal[0] * vtkiRayDirection;
   float offset = dot(children.normal[0], children.position[0]);
   float width = vtkiPixelWidth(-children.position[0].z);
-  children.split = false;
   for (int i = 0; i < 4; ++i)
   {
     ivec2 shift = i < 2 ? ivec2(3 * i - 1, i) : ivec2(3 - i, 3 * i - 7);
@@ -51,5 +54,6 @@ void main()
     children.split = children.split || (vtkiSurfaceIsLit(surface) && rise > VTKI_LEAST_RISE * width &&
       rise < VTKI_GREATEST_RISE * width && dot(turn, turn) > VTKI_LEAST_TURN * VTKI_LEAST_TURN);
   }
+#endif
   vtkiWriteJoin(children, texel);
 }
