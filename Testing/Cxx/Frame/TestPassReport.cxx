@@ -340,6 +340,10 @@ void CheckInLocale()
     view.Pass->TimingOn();
     view.Pass->SetIndirectScale(1e-7);
     view.Pass->SetErrorTolerance(0.0123456789);
+    // the error of a tree's lights is not estimated
+    vtkNew<vtkUniformLightSampler> even;
+    view.Pass->SetSampler(even);
+    view.Pass->SetNumberOfBounces(1);
     const Report report = view.Render();
     CONTRACT_CHECK(
       report.GetNumber("settings.IndirectScale") == 1e-7, report.Get("settings.IndirectScale"));

@@ -130,7 +130,10 @@ vtkIndirectSubsplatSettings vtkIndirectSubsplatSum::MakeSettings(const Input& in
       input.Plan.ErrorTolerance);
   settings.StorageScale = settings.HalfFloats ? 1.0 / input.Plan.IrradianceUnit : 1.0;
   settings.HasCompute = vtkIndirectComputeProgram::IsSupported();
-  settings.ReportsError = tolerance > 0.0;
+  // A tree's clusters are too unlike each other: halves of them differ by three to nine times the
+  // error of all.
+  settings.ReportsError = tolerance > 0.0 && input.Lights->HalvesAreAlike() &&
+    input.Lights->GetNumberOfLights() <= input.Visibility.GetMaximumNumberOfSenders();
   return settings;
 }
 
@@ -191,9 +194,12 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     return {};
   }
-  if (settings.ReportsError && !batches)
+  if (settings.ReportsError)
   {
     this->SamplingError = this->Pyramid.EstimateSamplingError();
+  }
+  if (this->Tolerance > 0.0 && !batches)
+  {
     this->Evaluations = 0;
     for (size_t i = 0; settings.HasCompute && i < this->Pyramid.GetNumberOfLevels(); ++i)
     {
@@ -355,8 +361,10 @@ void vtkIndirectSubsplatSum::AddToReport(vtkIndirectReport& report) const
         " lights would meet it");
   }
   report.LeftOut.emplace_back(name,
-    "the error of interpolating over what is narrower than a subsplat is not estimated, and nor is "
-    "that of sampling beyond what halves of the lights differ by");
+    std::string(
+      "the error of interpolating over what is narrower than a subsplat is not estimated, "
+      "and nor is that of sampling") +
+      (this->SamplingError < 0.0 ? "" : " beyond what halves of the lights differ by"));
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,14 @@
 #include "OpenGL/vtkIndirectUniforms.h"
 
 //------------------------------------------------------------------------------
+vtkIndirectSamplerAbilities vtkIndirectHeadlightSampler::GetAbilities() const
+{
+  vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
+  abilities.HalvesAreAlike = true;
+  return abilities;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectHeadlightSampler::Update(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;

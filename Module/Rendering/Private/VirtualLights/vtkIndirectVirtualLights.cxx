@@ -53,6 +53,7 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
 {
   this->NumberOfLights = 0;
   this->WithDirections = false;
+  this->WithHalvesAlike = true;
   std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> contents;
   for (const vtkIndirectSampler::Pointer& sampler : samplers)
   {
@@ -61,7 +62,9 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
       return false;
     }
     this->NumberOfLights += sampler->GetActualNumberOfLights();
-    this->WithDirections = this->WithDirections || sampler->GetAbilities().Directions;
+    const vtkIndirectSamplerAbilities abilities = sampler->GetAbilities();
+    this->WithDirections = this->WithDirections || abilities.Directions;
+    this->WithHalvesAlike = this->WithHalvesAlike && abilities.HalvesAreAlike;
     contents.emplace_back(sampler.get(), sampler->GetContentTime());
   }
   // The newest of the samplers' times would not reveal that a sampler has gone.
