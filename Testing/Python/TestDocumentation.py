@@ -1,8 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Pages name only what exists, and everything that exists is on a page."""
 
+import math
 import re
 import unittest
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from vtkmodules.vtkRenderingCore import vtkLight
 
 import support
 from vtkindirect import (
@@ -15,7 +20,9 @@ from vtkindirect import (
     pipeline,
     schema,
     sources,
+    wrapped,
 )
+from vtkindirect import settings as properties
 
 PAGES = support.SOURCE / "Documentation"
 
@@ -85,3 +92,150 @@ class PythonPage(unittest.TestCase):
     def test_examples_compile(self) -> None:
         for path in sorted((support.SOURCE / "Examples" / "Python").glob("*.py")):
             compile(path.read_text(encoding="utf-8"), str(path), "exec")
+
+
+class Row(NamedTuple):
+    """A property in a table: the table's place, the property's name and its default as written."""
+
+    table: tuple[str, int]
+    name: str
+    default: str
+
+
+def split(line: str) -> list[str]:
+    """Return the cells of a row."""
+    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+
+
+def property_rows() -> Iterator[Row]:
+    """Yield the properties of all tables of defaults, in the guide and on the methods' pages."""
+    for path in (PAGES / "guide.md", *sorted((PAGES / "methods").glob("*.md"))):
+        name = str(path.relative_to(PAGES))
+        number = -1
+        inside = False
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if not line.startswith("|"):
+                inside = False
+                continue
+            cells = split(line)
+            if not inside and len(cells) > 1 and cells[1] == "default":
+                inside = True
+                number += 1
+            elif inside and not cells[0].startswith("---"):
+                names = re.findall(r"`(\w+)`", cells[0])
+                defaults = cells[1].split(", ") if len(names) > 1 else [cells[1]]
+                # One default for several properties: the same for all of them.
+                defaults = defaults if len(defaults) == len(names) else [cells[1]] * len(names)
+                yield from (Row((name, number), *pair) for pair in zip(names, defaults))
+
+
+class UnreadableError(Exception):
+    """A default that is written in words."""
+
+
+def read(text: str, target: Any, name: str) -> Any:
+    """Return a default as the property would hold it."""
+    text = text.strip("`")
+    # After a colon: what the value stands for.
+    text = text.split(": ")[0]
+    named = properties.choices(target, name)
+    found = [value for value in named if value == text.lower()] or [
+        value for value in named if value.startswith(f"{text.lower()}_")
+    ]
+    if len(found) == 1:
+        other = target.NewInstance()
+        getattr(other, named[found[0]])()
+        return getattr(other, f"Get{name}")()
+    words = {"on": True, "off": False, "none": None, '""': ""}
+    if text in words:
+        return words[text]
+    numbers = re.fullmatch(r"\(?(-?[\d.,e]+(?:,? -?[\d.e]+)*)\)?", text)
+    if not numbers:
+        raise UnreadableError
+    parts = [float(part.replace(",", "")) for part in re.split(r",? ", numbers.group(1))]
+    return parts[0] if len(parts) == 1 else tuple(parts)
+
+
+def same(wanted: Any, got: Any) -> bool:
+    if isinstance(wanted, tuple):
+        return len(wanted) == len(got) and all(same(*pair) for pair in zip(wanted, got))
+    if isinstance(wanted, bool):
+        return got in (0, 1) and bool(got) is wanted
+    if isinstance(wanted, float):
+        return not isinstance(got, bool) and math.isclose(wanted, got, rel_tol=1e-6)
+    return bool(wanted == got)
+
+
+ILLUMINATION = "vtkIndirectIlluminationPass"
+
+
+class Defaults(unittest.TestCase):
+    """The defaults of the pages' tables are those of fresh objects."""
+
+    TABLES = {
+        ("guide.md", 0): ILLUMINATION,
+        ("methods/area-lights.md", 0): "vtkAreaLight",
+        ("methods/gather.md", 0): "vtkRSMGatherPass",
+        ("methods/importance-sampling.md", 0): "vtkUniformLightSampler",
+        ("methods/importance-sampling.md", 1): "vtkImportanceLightSampler",
+        ("methods/light-tree.md", 0): "vtkLightTreeSampler",
+        ("methods/multiresolution-splatting.md", 0): "vtkMultiresolutionSplattingPass",
+        ("methods/occupancy.md", 0): "vtkRSMGatherPass",
+        ("methods/penumbra.md", 0): ILLUMINATION,
+        ("methods/radiance-hints.md", 0): "vtkRadianceHintsPass",
+        ("methods/random-walk.md", 0): "vtkRandomWalkLightSampler",
+        ("methods/sphere-proxies.md", 0): "vtkProxyAccumulationPass",
+        ("methods/sphere-proxies.md", 1): "vtkSphereProxyFilter",
+        ("methods/sphere-proxies.md", 2): "vtkMeshSimplificationFilter",
+        ("methods/splatting.md", 0): "vtkIndirectSplattingPass",
+    }
+    IN_WORDS = {
+        "guide.md Estimator": "the pass has none, and chooses one when it draws",
+        "guide.md Sampler": "as above",
+        "guide.md DelegatePass": "the pass has none, and makes a sequence when it draws",
+        "methods/area-lights.md Origin": "a square, see test_square",
+        "methods/area-lights.md Point1": "as above",
+        "methods/area-lights.md Point2": "as above",
+        "methods/occupancy.md Occupancy": "differs between estimators, see test_occupancy",
+    }
+
+    def test_tables(self) -> None:
+        in_words = set()
+        seen = set()
+        compared = 0
+        for row in property_rows():
+            self.assertIn(row.table, self.TABLES, "a table of properties of which class?")
+            seen.add(row.table)
+            if not wrapped.has(self.TABLES[row.table]):
+                continue
+            target = wrapped.get(self.TABLES[row.table])()
+            where = f"{row.table[0]} {row.name}"
+            with self.subTest(where):
+                try:
+                    wanted = read(row.default, target, row.name)
+                except UnreadableError:
+                    in_words.add(where)
+                    continue
+                get = getattr(target, f"Get{row.name}")
+                # The size of a light belongs to the light.
+                got = get(vtkLight()) if row.table[0].endswith("penumbra.md") else get()
+                self.assertTrue(same(wanted, got), f"'{row.default}' is {got!r}")
+                compared += 1
+        self.assertEqual(seen, set(self.TABLES))
+        self.assertEqual(in_words, set(self.IN_WORDS))
+        self.assertGreater(compared, 70)
+
+    def test_square(self) -> None:
+        lamp = wrapped.get("vtkAreaLight")()
+        origin, *points = lamp.GetOrigin(), lamp.GetPoint1(), lamp.GetPoint2()
+        for point, edge in zip(points, ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))):
+            self.assertEqual(tuple(b - a for a, b in zip(origin, point)), edge)
+        self.assertEqual(origin[2], 0.0)
+
+    def test_occupancy(self) -> None:
+        for method in methods.METHODS.values():
+            if method.estimator and wrapped.has(method.estimator):
+                estimator = wrapped.get(method.estimator)()
+                if hasattr(estimator, "GetOccupancy"):
+                    on = method.name == "hints"
+                    self.assertEqual(bool(estimator.GetOccupancy()), on, method.name)
