@@ -3,6 +3,7 @@
 #include "Frame/vtkIndirectKey.h"
 
 #include "Frame/vtkIndirectCasterBounds.h"
+#include "Frame/vtkIndirectFillValues.h"
 #include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
@@ -11,12 +12,10 @@
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
-#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
-#include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -30,65 +29,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace
 {
 // Number of props that an entry of the report lists by name; a scene may have thousands.
 constexpr size_t MostNamed = 3;
 
-// The largest bound: no float within it overflows when it is squared.
-const double LargestBound = std::sqrt(static_cast<double>(std::numeric_limits<float>::max()));
-
-bool IsWithin(const double* values, int count, double most)
-{
-  return std::all_of(
-    values, values + count, [most](double value) { return std::abs(value) <= most; });
-}
-
-// Finds the bounds of an actor without the few points beyond LargestBound. Such points are a file's
-// mark for missing values (1e20, 9.97e36), not a scene of that size; VTK itself leaves infinite
-// points out. Returns false if there are no such points, or if they are half of all points or more.
-bool FindBoundsOfMost(vtkProp* prop, double bounds[6])
-{
-  auto* actor = vtkActor::SafeDownCast(prop);
-  vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-  auto* data =
-    mapper && mapper->GetNumberOfInputPorts() > 0 && mapper->GetNumberOfInputConnections(0) > 0
-    ? vtkDataSet::SafeDownCast(mapper->GetInputDataObject(0, 0))
-    : nullptr;
-  if (!data)
-  {
-    return false;
-  }
-  const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(actor->GetMatrix());
-  vtkBoundingBox box;
-  vtkIdType beyond = 0;
-  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-  {
-    double p[3];
-    data->GetPoint(i, p);
-    const glm::dvec3 world(toWorld * glm::dvec4(p[0], p[1], p[2], 1.0));
-    if (IsWithin(&world[0], 3, LargestBound))
-    {
-      box.AddPoint(world.x, world.y, world.z);
-    }
-    else
-    {
-      ++beyond;
-    }
-  }
-  if (beyond == 0 || 2 * beyond >= data->GetNumberOfPoints())
-  {
-    return false;
-  }
-  box.GetBounds(bounds);
-  return true;
-}
-
 bool IsFinite(const double bounds[6])
 {
-  return IsWithin(bounds, 6, std::numeric_limits<double>::max()) &&
+  return std::all_of(bounds, bounds + 6, [](double bound) { return std::isfinite(bound); }) &&
     vtkMath::AreBoundsInitialized(bounds) != 0;
 }
 }
@@ -265,10 +214,20 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
   }
   const double* bounds = prop->GetBounds();
   double most[6];
-  if (kind.Captured && bounds && !IsWithin(bounds, 6, LargestBound) && FindBoundsOfMost(prop, most))
+  if (kind.Captured && bounds && !vtkIndirectFillValues::IsWithin(bounds))
   {
-    bounds = most;
-    this->LeaveOut(prop, "a few of its points lie beyond 1e19: faces at these");
+    using vtkIndirectFillValues::Points;
+    const Points beyond = vtkIndirectFillValues::FindBounds(prop, most);
+    if (beyond == Points::ALL)
+    {
+      this->LeaveOut(prop, "all of its points lie beyond 1e19");
+      return;
+    }
+    if (beyond == Points::SOME)
+    {
+      bounds = most;
+      this->LeaveOut(prop, "some of its points lie beyond 1e19: faces at these");
+    }
   }
   if (kind.Captured && !(bounds && IsFinite(bounds)))
   {
