@@ -10,8 +10,16 @@ import numpy as np
 import support
 from changes import BLUE, CHANGES, fill, make_canvas, make_image, make_sheet, paint
 from rooms import RED, make_actor, make_area, make_ball, make_room
-from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkLight, vtkTexture
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersSources import vtkPointSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkDataSetMapper,
+    vtkGlyph3DMapper,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkTexture,
+)
 
 import vtkindirect
 from vtkindirect import windows, wrapped
@@ -119,6 +127,56 @@ class Stale(unittest.TestCase):
                         )
 
                     self.check(make)
+
+    def count_faces(self, renderer) -> int:
+        """Return the number of maps' faces drawn until now, after another frame."""
+        self.window.Render()
+        return vtkindirect.report(renderer)["counters"]["faces_drawn"]
+
+    def test_static_mappers(self) -> None:
+        """VTK draws what a static mapper's data are, and runs the pipeline of polygons alone that a
+        vtkDataSetMapper draws."""
+        for kind, runs in (
+            (vtkPolyDataMapper, False),
+            (vtkGlyph3DMapper, False),
+            (vtkDataSetMapper, True),
+        ):
+            for pipeline in ("polygons", "grid"):
+                if pipeline == "grid" and kind is not vtkDataSetMapper:
+                    continue
+                with self.subTest(kind=kind.__name__, pipeline=pipeline):
+                    ball = make_ball()
+                    grid = vtkAppendFilter()
+                    grid.SetInputConnection(ball.GetOutputPort())
+                    source = grid if pipeline == "grid" else ball
+                    mapper = kind()
+                    if kind is vtkGlyph3DMapper:
+                        place = vtkPointSource()
+                        place.SetNumberOfPoints(1)
+                        place.SetRadius(0)
+                        mapper.SetInputConnection(place.GetOutputPort())
+                        mapper.SetSourceConnection(ball.GetOutputPort())
+                    else:
+                        mapper.SetInputConnection(source.GetOutputPort())
+                    mapper.Update()
+                    mapper.StaticOn()
+                    prop = vtkActor()
+                    prop.SetMapper(mapper)
+                    renderer = make_room(prop)
+                    vtkindirect.enable(renderer, lighting="scene")
+                    self.window.AddRenderer(renderer)
+                    drawn = self.count_faces(renderer)
+                    before = vtkindirect.copy_buffer(renderer, "final").astype(float)
+                    ball.SetRadius(0.2)
+                    again = self.count_faces(renderer)
+                    after = vtkindirect.copy_buffer(renderer, "final").astype(float)
+                    self.window.RemoveRenderer(renderer)
+                    if runs and pipeline == "polygons":
+                        self.assertGreater(again, drawn)
+                        self.assertGreater(np.abs(after - before).max(), 0.1)
+                    else:
+                        self.assertEqual(again, drawn)
+                        self.assertEqual(np.abs(after - before).max(), 0)
 
     def test_an_area_light_that_is_off_counts_as_removed(self) -> None:
         """The other light keeps its bounce: 6 % less where the light that is off took places."""

@@ -4,6 +4,9 @@
 #include "vtkActor.h"
 #include "vtkAssemblyNode.h"
 #include "vtkAssemblyPath.h"
+#include "vtkDataSetMapper.h"
+#include "vtkMapper.h"
+#include "vtkPolyData.h"
 
 //------------------------------------------------------------------------------
 void vtkIndirectActors::ForEach(
@@ -19,4 +22,13 @@ void vtkIndirectActors::ForEach(
       call(actor, last->GetMatrix() ? last->GetMatrix() : actor->GetMatrix());
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectActors::RunsPipeline(vtkAlgorithm* mapper)
+{
+  auto* known = vtkMapper::SafeDownCast(mapper);
+  return !known || !known->GetStatic() ||
+    (vtkDataSetMapper::SafeDownCast(known) &&
+      vtkPolyData::SafeDownCast(known->GetInputDataObject(0, 0)));
 }

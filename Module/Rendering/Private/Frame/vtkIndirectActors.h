@@ -10,6 +10,7 @@
 #include <functional> // for calls
 
 class vtkActor;
+class vtkAlgorithm;
 class vtkMatrix4x4;
 class vtkProp;
 
@@ -20,6 +21,12 @@ namespace vtkIndirectActors
  * world coordinates.
  */
 void ForEach(vtkProp* prop, const std::function<void(vtkActor*, vtkMatrix4x4*)>& call);
+
+/**
+ * Returns true if VTK runs the pipeline of a mapper. It never does that for a static one, which
+ * draws the data that are there; only vtkDataSetMapper draws polygons by another mapper that runs.
+ */
+bool RunsPipeline(vtkAlgorithm* mapper);
 
 /** Calls the function for data of a class, or for each block of that class in composite data. */
 template <typename Data, typename Call>

@@ -354,7 +354,10 @@ vtkActor* vtkIndirectPropKind::FindRefractor(vtkProp* prop)
   {
     return nullptr;
   }
-  actor->GetMapper()->Update();
+  if (vtkIndirectActors::RunsPipeline(actor->GetMapper()))
+  {
+    actor->GetMapper()->Update();
+  }
   auto* polygons = vtkPolyData::SafeDownCast(actor->GetMapper()->GetInputDataObject(0, 0));
   return polygons && polygons->GetNumberOfPolys() > 0 ? actor : nullptr;
 }

@@ -92,12 +92,16 @@ void vtkIndirectRevision::AddData(vtkDataObject* data)
 //------------------------------------------------------------------------------
 void vtkIndirectRevision::AddInputs(vtkAlgorithm* algorithm)
 {
+  const bool runs = vtkIndirectActors::RunsPipeline(algorithm);
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
     {
       vtkAlgorithmOutput* output = algorithm->GetInputConnection(port, i);
-      output->GetProducer()->Update(output->GetIndex());
+      if (runs)
+      {
+        output->GetProducer()->Update(output->GetIndex());
+      }
       this->AddData(algorithm->GetInputDataObject(port, i));
     }
   }
@@ -217,8 +221,11 @@ void vtkIndirectRevision::AddProp(vtkProp* prop, bool whole)
   if (whole)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
-    MakeTable(actor ? actor->GetMapper() : nullptr);
-    this->Add(prop->GetRedrawMTime());
+    vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
+    MakeTable(mapper);
+    // An actor's time of redrawing runs the pipeline of any mapper.
+    const bool runs = !mapper || vtkIndirectActors::RunsPipeline(mapper);
+    this->Add(runs ? prop->GetRedrawMTime() : prop->GetMTime());
   }
   if (auto* follower = vtkProp3DFollower::SafeDownCast(prop))
   {
