@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 import support
 from changes import BLUE, CHANGES, fill, make_canvas, make_image, make_sheet, paint
-from rooms import RED, make_actor, make_area, make_ball, make_room
+from rooms import RED, make_actor, make_area, make_ball, make_mapper, make_room
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkFiltersSources import vtkPointSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
@@ -20,6 +20,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper,
     vtkTexture,
 )
+from vtkmodules.vtkRenderingLOD import vtkLODActor
 
 import vtkindirect
 from vtkindirect import windows, wrapped
@@ -132,6 +133,20 @@ class Stale(unittest.TestCase):
         """Return the number of maps' faces drawn until now, after another frame."""
         self.window.Render()
         return vtkindirect.report(renderer)["counters"]["faces_drawn"]
+
+    def test_levels_of_level_actors(self) -> None:
+        """How long drawing takes decides which level VTK draws, so maps follow all of them."""
+        level = make_ball(0.3)
+        prop = vtkLODActor()
+        prop.SetMapper(make_mapper(make_ball()))
+        prop.AddLODMapper(make_mapper(level))
+        renderer = make_room(prop)
+        vtkindirect.enable(renderer, lighting="scene")
+        self.window.AddRenderer(renderer)
+        drawn = [self.count_faces(renderer) for _ in range(2)]
+        self.assertEqual(drawn[0], drawn[1])
+        level.SetRadius(0.2)
+        self.assertGreater(self.count_faces(renderer), drawn[1])
 
     def test_static_mappers(self) -> None:
         """VTK draws what a static mapper's data are, and runs the pipeline of polygons alone that a

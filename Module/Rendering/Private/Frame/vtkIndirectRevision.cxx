@@ -33,11 +33,29 @@
 #include "vtkTransform.h"
 #include "vtkUniforms.h"
 
+#if __has_include("vtkLODActor.h")
+#include "vtkLODActor.h"
+#include "vtkMapperCollection.h"
+#define VTKI_LEVELS
+#endif
+
 #include <cstdint>
 #include <cstring>
 
 namespace
 {
+#ifdef VTKI_LEVELS
+struct LevelAccess : vtkLODActor
+{
+  // VTK makes these two of the actor's own data when it first draws it.
+  static bool IsOwn(vtkLODActor* actor, vtkMapper* mapper)
+  {
+    return mapper == actor->*(&LevelAccess::LowMapper) ||
+      mapper == actor->*(&LevelAccess::MediumMapper);
+  }
+};
+#endif
+
 // Makes a mapper's default lookup table. The mapper would make it in its first draw and be modified
 // by that: the second frame would see a changed mapper.
 void MakeTable(vtkAbstractMapper* mapper)
@@ -188,6 +206,26 @@ void vtkIndirectRevision::AddMapper(vtkAbstractMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+// Adds the levels of detail that a vtkLODActor has been given.
+void vtkIndirectRevision::AddLevels(vtkActor* prop)
+{
+#ifdef VTKI_LEVELS
+  auto* actor = vtkLODActor::SafeDownCast(prop);
+  vtkMapperCollection* mappers = actor ? actor->GetLODMappers() : nullptr;
+  for (int i = 0; mappers && i < mappers->GetNumberOfItems(); ++i)
+  {
+    auto* mapper = vtkMapper::SafeDownCast(mappers->GetItemAsObject(i));
+    if (!LevelAccess::IsOwn(actor, mapper))
+    {
+      this->AddMapper(mapper);
+    }
+  }
+#else
+  (void)prop;
+#endif
+}
+
+//------------------------------------------------------------------------------
 // whole: false for a part of another prop, which VTK modifies whenever it draws it.
 void vtkIndirectRevision::AddProp(vtkProp* prop, bool whole)
 {
@@ -250,6 +288,7 @@ void vtkIndirectRevision::AddProp(vtkProp* prop, bool whole)
     this->AddTexture(actor->GetTexture());
     this->AddTextureMatrix(actor);
     this->AddMapper(actor->GetMapper());
+    this->AddLevels(actor);
   }
   else if (!whole)
   {

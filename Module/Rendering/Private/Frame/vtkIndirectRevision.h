@@ -47,6 +47,7 @@ private:
   void AddProperty(class vtkProperty* property);
   void AddShaders(vtkProp* prop);
   void AddMapper(class vtkAbstractMapper* mapper);
+  void AddLevels(class vtkActor* prop);
   void AddProp(vtkProp* prop, bool whole);
   vtkTypeUInt64 Get() const { return this->Number >> 12; }
 };
