@@ -107,14 +107,23 @@ void AddTexel(
   }
 }
 
+// Where a grid lies, and the number of its first hint.
+struct GridPlace
+{
+  glm::dvec3 Lower{ 0.0 };
+  glm::dvec3 Cell = GetCell();
+  int First = 0;
+};
+
 struct PaperRoom : HintScene
 {
   std::vector<VirtualLight> Texels; // texels of all maps, by layer, row and column
   const double Diagonal = glm::length(Extent);
   int Samples = 40; // of all layers together, as in the preset
   int BounceSamples = 32;
-  double Range = Diagonal; // r_max, the unit of stored distances
-  bool Rotation = false;   // of the look-ups
+  double Range = Diagonal;                     // r_max, the unit of stored distances
+  bool Rotation = false;                       // of the look-ups
+  std::vector<GridPlace> Grids{ GridPlace() }; // of as many hints each; the second is the finer one
   // Section 8: points on a segment, the factor for a hidden one, and the eye.
   int DepthSamples = 0;
   double DepthAttenuation = 0.6;
@@ -145,6 +154,11 @@ struct PaperRoom : HintScene
   {
     return glm::dvec3(hint.Position[0], hint.Position[1], hint.Position[2]) * this->Diagonal +
       0.5 * Extent;
+  }
+
+  const GridPlace& GetGridOf(int hint) const
+  {
+    return this->Grids.size() > 1 && hint >= this->Grids[1].First ? this->Grids[1] : this->Grids[0];
   }
 
   // Makes the eye's depth hide senders, by the settings of the pass.
@@ -194,7 +208,8 @@ struct PaperRoom : HintScene
         const int x = static_cast<int>(random.x * MapEdge);
         const int y = static_cast<int>(random.y * MapEdge);
         const VirtualLight& texel = this->Texels[(layer * MapEdge + y) * MapEdge + x];
-        const glm::dvec3 from = this->GetPlace(hint) + (jitter - 0.5) * GetCell();
+        const glm::dvec3 from =
+          this->GetPlace(hint) + (jitter - 0.5) * this->GetGridOf(number).Cell;
         const glm::dvec3 offset = texel.Position - from;
         field.Nearest = std::min(field.Nearest, glm::length(offset) / this->Range);
         field.Farthest = std::max(field.Farthest, glm::length(offset) / this->Range);
@@ -214,8 +229,10 @@ struct PaperRoom : HintScene
     bool& ambiguous) const
   {
     const glm::ivec3 size(Grid[0], Grid[1], Grid[2]);
-    const glm::dvec3 middle(number % size.x, number / size.x % size.y, number / (size.x * size.y));
-    const glm::dvec3 reach = this->Range / GetCell();
+    const GridPlace& grid = this->GetGridOf(number);
+    const int inGrid = number - grid.First;
+    const glm::dvec3 middle(inGrid % size.x, inGrid / size.x % size.y, inGrid / (size.x * size.y));
+    const glm::dvec3 reach = this->Range / grid.Cell;
     const glm::dvec3 lower = glm::max(middle - reach, glm::dvec3(-0.5));
     const glm::dvec3 upper = glm::min(middle + reach, glm::dvec3(size) - 0.5);
     Field sum;
@@ -228,7 +245,7 @@ struct PaperRoom : HintScene
       const glm::dvec3 rest = glm::abs(at - glm::round(at));
       ambiguous = ambiguous || std::min({ rest.x, rest.y, rest.z }) < 1e-5;
       const glm::ivec3 other = glm::clamp(glm::ivec3(at), glm::ivec3(0), size - 1);
-      const int j = other.x + size.x * (other.y + size.y * other.z);
+      const int j = grid.First + other.x + size.x * (other.y + size.y * other.z);
       const glm::dvec3 toward = (this->GetPlace(hints[j]) - this->GetPlace(hints[number]));
       const double r = glm::length(toward) / this->Range;
       if (!(r > 0.0 && r <= 1.0))
@@ -254,11 +271,19 @@ struct PaperRoom : HintScene
     return result;
   }
 
-  // Eq. 5 to 7: four look-ups, each in the eight hints around it.
+  // The finer grid's share of the light at a surface: it fades over its outermost two cells.
+  double FindFineShare(const glm::dvec3& position) const
+  {
+    const glm::dvec3 inGrid = (position - this->Grids.back().Lower) / this->Grids.back().Cell;
+    const glm::dvec3 inside = glm::min(inGrid, glm::dvec3(Grid[0], Grid[1], Grid[2]) - inGrid);
+    return this->Grids.size() > 1
+      ? glm::clamp(0.5 * std::min({ inside.x, inside.y, inside.z }), 0.0, 1.0)
+      : 0.0;
+  }
+
+  // Eq. 5 to 7: four look-ups, each in the eight hints around it, by the grids' shares.
   glm::dvec3 LookUp(const std::vector<Field>& fields, const Receiver& at, int order) const
   {
-    const glm::dvec3 cell = GetCell();
-    const double radius = glm::length(cell);
     const glm::dvec3 helper =
       std::abs(at.Normal.x) < 0.5 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
     const glm::dvec3 tangent = glm::normalize(glm::cross(helper, at.Normal));
@@ -267,35 +292,41 @@ struct PaperRoom : HintScene
       this->Rotation ? 2.0 * Pi * Spread(0, static_cast<std::uint32_t>(at.X * 4099 + at.Y)).x : 0.0;
     Field sum;
     double total = 0.0;
-    for (int lookup = 0; lookup < 4; ++lookup)
+    const double fine = this->FindFineShare(at.Position);
+    for (const GridPlace& grid : this->Grids)
     {
-      const double polar = lookup == 0 ? 0.0 : 80.0 * Pi / 180.0;
-      const double turn = start + 2.0 * Pi * lookup / 3.0;
-      const glm::dvec3 place = at.Position +
-        radius *
-          (0.5 * at.Normal + std::cos(polar) * at.Normal +
-            std::sin(polar) * (std::cos(turn) * tangent + std::sin(turn) * bitangent));
-      const glm::dvec3 inGrid = place / cell - 0.5;
-      const glm::dvec3 base = glm::floor(inGrid);
-      for (int corner = 0; corner < 8; ++corner)
+      const double share = grid.First > 0 ? fine : 1.0 - fine;
+      for (int lookup = 0; share > 0.0 && lookup < 4; ++lookup)
       {
-        int index[3];
-        double weight = 1.0;
-        for (int axis = 0; axis < 3; ++axis)
+        const double polar = lookup == 0 ? 0.0 : 80.0 * Pi / 180.0;
+        const double turn = start + 2.0 * Pi * lookup / 3.0;
+        const glm::dvec3 place = at.Position +
+          glm::length(grid.Cell) *
+            (0.5 * at.Normal + std::cos(polar) * at.Normal +
+              std::sin(polar) * (std::cos(turn) * tangent + std::sin(turn) * bitangent));
+        const glm::dvec3 inGrid = (place - grid.Lower) / grid.Cell - 0.5;
+        const glm::dvec3 base = glm::floor(inGrid);
+        for (int corner = 0; corner < 8; ++corner)
         {
-          const int shift = (corner >> axis) & 1;
-          const double blend = inGrid[axis] - base[axis];
-          index[axis] = std::clamp(static_cast<int>(base[axis]) + shift, 0, Grid[axis] - 1);
-          weight *= shift ? blend : 1.0 - blend;
+          int index[3];
+          double weight = 1.0;
+          for (int axis = 0; axis < 3; ++axis)
+          {
+            const int shift = (corner >> axis) & 1;
+            const double blend = inGrid[axis] - base[axis];
+            index[axis] = std::clamp(static_cast<int>(base[axis]) + shift, 0, Grid[axis] - 1);
+            weight *= shift ? blend : 1.0 - blend;
+          }
+          // Above zero: see vtkIndirectHintLookup.glsl.
+          weight = share * std::max(weight, 1e-4);
+          const Field& field =
+            fields[grid.First + index[0] + Grid[0] * (index[1] + Grid[1] * index[2])];
+          for (int k = 0; k < 9; ++k)
+          {
+            sum.C[k] += weight * field.C[k];
+          }
+          total += weight;
         }
-        // Above zero: see vtkIndirectHintLookup.glsl.
-        weight = std::max(weight, 1e-4);
-        const Field& field = fields[index[0] + Grid[0] * (index[1] + Grid[1] * index[2])];
-        for (int k = 0; k < 9; ++k)
-        {
-          sum.C[k] += weight * field.C[k];
-        }
-        total += weight;
       }
     }
     for (glm::dvec3& c : sum.C)
@@ -448,6 +479,96 @@ VTK_INDIRECT_TEST(HintsPaperOptions)
   CheckAtMost(
     "worst pixel, difference over its irradiance", worst, 1e-5, "as in HintsPaperEquations");
   CheckAtLeast("the rotation, the same", turned, 1e-3, "the test's own power");
+}
+
+VTK_INDIRECT_TEST(HintsPaperGrids)
+{
+  // Two grids against the same equations: hints of the finer one place their samples in their own
+  // cells and get later bounces from their own grid, and look-ups blend the two. A box stands in
+  // the finer grid, which has no share at the room's walls.
+  constexpr int hintsOfGrid = Grid[0] * Grid[1] * Grid[2];
+  constexpr double extent = 0.5;
+  const glm::dvec3 focus(2.3, 2.0, 0.5);
+  PaperRoom scene;
+  scene.AddBox({ 2.0, 1.7, 0.3 }, { 2.6, 2.2, 0.7 }, Albedo);
+  scene.SetEye({ 0.8, 0.6, 1.5 }, focus, { 0, 0, 1 }, 50.0, 0.05, 10.0);
+  scene.Pass->SetEstimator(scene.Gather);
+  scene.Render();
+  scene.Texels = scene.CopyLights();
+  scene.Pass->SetEstimator(scene.Hints);
+  scene.Hints->SetNumberOfGrids(2);
+  scene.Hints->SetFineGridExtent(extent);
+  // Shorter than either grid, so that cells decide which hints are near.
+  scene.Range = 0.2 * scene.Diagonal;
+  scene.Hints->SetBounceRange(0.2);
+  // About the focal point, in steps of four cells.
+  GridPlace finer;
+  finer.First = hintsOfGrid;
+  finer.Cell = extent * GetCell();
+  finer.Lower =
+    glm::floor((focus - 0.5 * extent * Extent) / (4.0 * finer.Cell) + 0.5) * (4.0 * finer.Cell);
+  scene.Grids.push_back(finer);
+  std::vector<Field> fields;
+  for (int bounces : { 1, 2 })
+  {
+    scene.Pass->SetNumberOfBounces(bounces);
+    scene.Render();
+    const std::vector<vtkIndirectHintSum::Hint> hints =
+      static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
+    CheckEqual("hints", hints.size(), 2 * hintsOfGrid);
+    const std::vector<Field> before = fields;
+    fields.clear();
+    std::vector<double> differences;
+    double moved = 0.0;
+    int ambiguous = 0;
+    for (int i = 0; i < static_cast<int>(hints.size()); ++i)
+    {
+      const GridPlace& grid = scene.GetGridOf(i);
+      const int inGrid = i - grid.First;
+      const glm::dvec3 place = grid.Lower +
+        grid.Cell *
+          (glm::dvec3(inGrid % Grid[0], inGrid / Grid[0] % Grid[1], inGrid / (Grid[0] * Grid[1])) +
+            0.5);
+      moved = std::max(moved, glm::length(scene.GetPlace(hints[i]) - place));
+      bool unclear = false;
+      fields.push_back(bounces == 1 ? scene.Inject(hints[i], i, true)
+                                    : scene.Exchange(hints, before, before, i, 2, unclear));
+      ambiguous += unclear;
+      if (!unclear)
+      {
+        differences.push_back(FindDifference(hints[i], fields[i], 2));
+      }
+    }
+    const std::string which = std::to_string(bounces) + " bounces: ";
+    CheckAtMost(which + "places of hints, in scene units", moved, 1e-6, "2^-24 of the room's 5");
+    CheckAtMost(which + "hints with a sample on a border", ambiguous, 4,
+      "as in HintsPaperEquations, for twice the hints");
+    CheckAtMost(which + "worst field, difference over its size", Percentile(differences, 1.0), 1e-5,
+      "as in HintsPaperEquations");
+
+    const Image image = scene.Copy("irradiance");
+    const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
+    double worst = 0.0;
+    double effect = 0.0;
+    int pixels[2] = {}; // of the coarser grid alone, and of both
+    for (size_t i = 0; i < receivers.size(); ++i)
+    {
+      const glm::dvec3 shown(image.Values[3 * i], image.Values[3 * i + 1], image.Values[3 * i + 2]);
+      const glm::dvec3 expected = scene.LookUp(fields, receivers[i], 2);
+      worst = std::max(
+        worst, glm::length(shown - expected) / (glm::length(expected) + 0.01 * image.Mean()));
+      ++pixels[scene.FindFineShare(receivers[i].Position) > 0.0];
+      scene.Grids.pop_back();
+      const glm::dvec3 coarse = scene.LookUp(fields, receivers[i], 2);
+      scene.Grids.push_back(finer);
+      effect = std::max(effect, glm::length(coarse - expected) / image.Mean());
+    }
+    CheckAtLeast(which + "pixels of the coarser grid", pixels[0], 100, "the test's own power");
+    CheckAtLeast(which + "pixels where the finer one fades", pixels[1], 100, "as above");
+    CheckAtLeast(which + "effect of the finer one on a pixel", effect, 0.02, "as above");
+    CheckAtMost(which + "worst pixel, difference over its irradiance and 1 % of the mean", worst,
+      1e-5, "as in HintsPaperEquations; where harmonics nearly cancel little is left of the terms");
+  }
 }
 
 VTK_INDIRECT_TEST(HintsPaperDepth)
