@@ -218,7 +218,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
   {
     using vtkIndirectFillValues::Points;
     const Points beyond = vtkIndirectFillValues::FindBounds(prop, most);
-    if (beyond == Points::ALL)
+    if (beyond == Points::ALL && IsFinite(bounds))
     {
       this->LeaveOut(prop, "all of its points lie beyond 1e19");
       return;
