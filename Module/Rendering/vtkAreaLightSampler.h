@@ -55,6 +55,8 @@ public:
    * VARIANCE.
    */
   vtkIndirectClampMacro(Clustering, int, VARIANCE, MIN_MAX);
+  void SetClusteringToVariance() { this->SetClustering(VARIANCE); }
+  void SetClusteringToMinMax() { this->SetClustering(MIN_MAX); }
   ///@}
 
   ///@{

@@ -134,6 +134,9 @@ public:
    * Default PLANES.
    */
   vtkIndirectClampMacro(Upsampling, int, PLANES, BILINEAR);
+  void SetUpsamplingToPlanes() { this->SetUpsampling(PLANES); }
+  void SetUpsamplingToBilateral() { this->SetUpsampling(BILATERAL); }
+  void SetUpsamplingToBilinear() { this->SetUpsampling(BILINEAR); }
   ///@}
 
   enum IndirectLightType
@@ -155,6 +158,11 @@ public:
    * spheres hide. Default SHADOWED.
    */
   vtkIndirectClampMacro(IndirectLight, int, OFF, EXACT);
+  void SetIndirectLightToOff() { this->SetIndirectLight(OFF); }
+  void SetIndirectLightToMiddle() { this->SetIndirectLight(MIDDLE); }
+  void SetIndirectLightToAveraged() { this->SetIndirectLight(AVERAGED); }
+  void SetIndirectLightToShadowed() { this->SetIndirectLight(SHADOWED); }
+  void SetIndirectLightToExact() { this->SetIndirectLight(EXACT); }
   ///@}
 
   /**

@@ -58,6 +58,8 @@ public:
    * makes smaller cells but moves the hints with the camera. Default SCENE.
    */
   vtkIndirectClampMacro(Extent, int, SCENE, VIEW);
+  void SetExtentToScene() { this->SetExtent(SCENE); }
+  void SetExtentToView() { this->SetExtent(VIEW); }
   ///@}
 
   ///@{

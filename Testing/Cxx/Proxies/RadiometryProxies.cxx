@@ -314,18 +314,18 @@ VTK_INDIRECT_TEST(ProxiesSendLight)
   ProxyScene scene;
   const Ball ball = { { 0.3, 1.5, 0.0 }, 1.0 };
   scene.SetBalls({ ball });
-  scene.Proxies->SetIndirectLight(vtkProxyAccumulationPass::AVERAGED);
+  scene.Proxies->SetIndirectLightToAveraged();
   CompareLight(
     scene, "bounce", OnGround,
     [&](const Scene::Receiver& r) { return 1.0 - OverPlane(ball, r.Position); },
     { 0.05, 0.1, "in all of a uniform sky a white sphere is as bright as that; disks of order 3" },
     "unshadowed");
   const double whole = scene.Copy("bounce").Mean();
-  scene.Proxies->SetIndirectLight(vtkProxyAccumulationPass::EXACT);
+  scene.Proxies->SetIndirectLightToExact();
   scene.Render();
   CheckRelative("each place as its normal has it, in light that is the same for all of them",
     scene.Copy("bounce").Mean(), whole, 1e-3, "entries of the operator");
-  scene.Proxies->SetIndirectLight(vtkProxyAccumulationPass::SHADOWED);
+  scene.Proxies->SetIndirectLightToShadowed();
   scene.Render();
   const double shadowed = scene.Copy("bounce").Mean();
   Check("the plane hides the sky from it", shadowed < 0.8 * whole && shadowed > 0.05 * whole,
@@ -340,7 +340,7 @@ VTK_INDIRECT_TEST(ProxiesSendLight)
     most = std::max(most, receivers[i].Lit && OnGround(receivers[i]) ? dark.Values[3 * i] : 0.0);
   }
   CheckEqual("a black one sends nothing", most, 0.0);
-  scene.Proxies->SetIndirectLight(vtkProxyAccumulationPass::OFF);
+  scene.Proxies->SetIndirectLightToOff();
   scene.Render();
   CheckEqual("nor does it when it is not asked for", scene.Copy("bounce").Mean(), 0.0);
 }

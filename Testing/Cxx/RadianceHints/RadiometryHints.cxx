@@ -332,7 +332,7 @@ VTK_INDIRECT_TEST(HintsGrids)
   CheckAtLeast("updates when the finer grid moved", scene.ReadReport("hint_updates"), updates + 1,
     "it lies elsewhere");
   scene.Hints->SetNumberOfGrids(1);
-  scene.Hints->SetExtent(vtkRadianceHintsPass::VIEW);
+  scene.Hints->SetExtentToView();
   CheckAbsolute(
     "grid over the view, E1 over albedo E0", scene.Measure(0, 1), 1.0, 0.03, SphereOrigin);
 }
