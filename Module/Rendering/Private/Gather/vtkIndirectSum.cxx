@@ -135,7 +135,7 @@ vtkIndirectEstimate vtkIndirectSum::MakeResult() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSum::SetIrradianceStorage(vtkWindow* window, bool half, double unit, bool depth)
+void vtkIndirectSum::SetIrradianceStorage(bool half, double unit, bool depth)
 {
   this->IrradianceUnit = unit;
   if (half != this->IrradianceIsHalf || depth != this->IrradianceHasDepth)

@@ -101,7 +101,7 @@ protected:
    * and whether a 16-bit depth buffer comes with it. Default: 32-bit floats, a unit of one, and no
    * depth buffer.
    */
-  void SetIrradianceStorage(vtkWindow* window, bool half, double unit, bool depth);
+  void SetIrradianceStorage(bool half, double unit, bool depth);
   /**
    * Creates or resizes the texture of specular reflections, stored like the irradiance, if the
    * frame has them, and releases it otherwise; HasGlossy tells which. To be called after

@@ -143,7 +143,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   vtkOpenGLRenderWindow* window = frame.Window;
   const vtkIndirectSubsplatSettings settings = this->MakeSettings(input);
-  this->SetIrradianceStorage(window, settings.HalfFloats, 1.0 / settings.StorageScale, true);
+  this->SetIrradianceStorage(settings.HalfFloats, 1.0 / settings.StorageScale, true);
   if (!this->Irradiance->Resize(window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input) || !this->Pyramid.Resize(window, frame.Size, settings) ||
     !this->Illumination.Resize(window, this->Pyramid, *this->Irradiance, settings.HalfFloats))
