@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 import dataclasses
 import json
+import os
 import statistics
 import subprocess
 import sys
@@ -89,6 +90,17 @@ def commit(directory: Path) -> str:
     return done.stdout.strip() if done.returncode == 0 else ""
 
 
+def machine() -> str:
+    """The processor's cores that this process may use, and its model where Linux names one."""
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    try:
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
+    except OSError:
+        lines = []
+    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return f"{cores} cores" + (f" of {models[0]}" if models else "")
+
+
 def record_of(stored: Path | None) -> dict[str, Any]:
     """Return what is recorded of a stored reference; empty when there is no record."""
     path = stored.with_suffix(".json") if stored is not None else None
@@ -128,6 +140,7 @@ class Run(compare.Run):
         self.common |= {
             "commit": commit(scene.path.parent),
             "vtk": vtk,
+            "machine": machine(),
             "flip": comparison.flip.version if comparison.flip else "",
             **{
                 f"noise_{name.lower()}": self.record.get(name, {}).get("noise_relmse")

@@ -93,12 +93,13 @@ def _first(results: Sequence[Result], key: str) -> str:
 
 
 def provenance(results: Sequence[Result]) -> str:
-    """Return what was run and on what: versions, commit, shaders, OpenGL."""
+    """Return what was run and on what: versions, commit, shaders, OpenGL, processor."""
+    machine = _first(results, "machine") and f", {_first(results, 'machine')}"
     return (
         f"vtk-indirect {_first(results, 'version')} "
         f"(commit {_first(results, 'commit') or 'unknown'}, "
         f"shaders {_first(results, 'shader_hash')[:12]}), VTK {_first(results, 'vtk')}, "
-        f"{_first(results, 'gl')}, OpenGL {_first(results, 'gl_version')}."
+        f"{_first(results, 'gl')}, OpenGL {_first(results, 'gl_version')}{machine}."
     )
 
 

@@ -310,7 +310,7 @@ def with_table(text: str, table: str) -> str:
 
 
 WORDS = ("label", "scene", "method", "error", "settings", "commit", "shader_hash", "version", "vtk", "gl",
-         "gl_version")  # fmt: skip
+         "gl_version", "machine")  # fmt: skip
 """Columns whose values are text even where they look like numbers."""
 
 

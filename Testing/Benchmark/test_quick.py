@@ -88,7 +88,7 @@ class Quick(unittest.TestCase):
         with (self.report / "rows.csv").open(newline="") as stream:
             table = list(csv.DictReader(stream))
         self.assertEqual(len(table), len(self.rows))
-        known = ["commit", "shader_hash", "vtk", "gl", "width", "height", "bytes", "frame_ms",
+        known = ["commit", "shader_hash", "vtk", "machine", "gl", "width", "height", "bytes", "frame_ms",
                  "frame_p95_ms", "indirect_ms", "processor_ms", "added_ms",
                  "added_processor_ms", "flicker", "flicker_error", "change",
                  "virtual_lights"]  # fmt: skip
