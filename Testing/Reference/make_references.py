@@ -148,7 +148,9 @@ class Work:
         if wanted or not surfaces.exists() or not versions.exists():
             job = {"size": list(self.size), "surfaces": surfaces.name, "batches": wanted}
             each = wanted[0]["samples"] * wanted[0]["depth"] if wanted else 0
-            found = tools.trace(self.folder, job, lambda part: self.meter.advance(part * each))
+            found = tools.trace(
+                self.folder, job, lambda part: self.meter.advance(part * each), niceness=10
+            )
             versions.write_text(json.dumps(found))
         self.versions = json.loads(versions.read_text())
         arrays = []

@@ -62,13 +62,14 @@ def trace(
     job: dict[str, Any],
     on_progress: Callable[[float], None] | None = None,
     on_batch: Callable[[str], None] | None = None,
-    niceness: int = 10,
+    niceness: int = 0,
 ) -> dict[str, str]:
     """Do a job of `tracer.py` in a description's folder; returns the tracer's versions.
 
     `on_progress` is called with the fraction of a batch that was done since the last call,
-    `on_batch` with the file of a batch when it is there. By default the tracer is a quiet
-    neighbour: references take minutes, and nobody waits for them. One that is timed must not be.
+    `on_batch` with the file of a batch when it is there. A niceness of 10 makes the tracer a quiet
+    neighbour for minutes of work that nobody waits for; tests and times need an equal share of the
+    processor.
     """
     (folder / "job.json").write_text(json.dumps(job))
     environment = {key: value for key, value in os.environ.items() if key != "PYTHONPATH"}

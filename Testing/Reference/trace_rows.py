@@ -54,7 +54,7 @@ def main() -> int:
         for azimuth, rows in itertools.groupby(wanted["rows"], lambda row: row.get("azimuth", 0.0)):
             tools.describe(path, azimuth).save(folder)
             job = {"size": wanted["size"], "batches": [batch(row) for row in rows]}
-            versions = tools.trace(folder, job, on_batch=done, niceness=0)
+            versions = tools.trace(folder, job, on_batch=done)
     except (tools.ToolError, exporter.ExportError) as error:
         return tools.fail(error)
     print("versions " + json.dumps(versions), flush=True)
