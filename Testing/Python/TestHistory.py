@@ -7,7 +7,7 @@ import numpy as np
 import support
 from rooms import make_actor, make_area, make_ball, make_room
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkLight, vtkRenderer
 
 import vtkindirect
 from vtkindirect import windows
@@ -61,9 +61,13 @@ class History(unittest.TestCase):
         ball = make_balls() if kind == "spheres" else make_actor(make_ball())
         renderer = make_room(ball, kind in ("spot", "penumbra"))
         settings = {"environment": (1, 1, 1)} if kind in ("sky", "spheres") else {}
-        indirect = vtkindirect.enable(
-            renderer, lighting="full" if kind == "full" else "scene", **settings
-        )
+        lighting = kind if kind in ("full", "soft") else "scene"
+        indirect = vtkindirect.enable(renderer, lighting=lighting, **settings)
+        if kind == "sun":
+            sun = vtkLight()
+            sun.SetLightTypeToSceneLight()
+            sun.SetPosition(1, 2, -2)
+            renderer.AddLight(sun)
         if kind == "penumbra":
             indirect.SetLightRadius(renderer.GetLights().GetItemAsObject(0), 0.2)
         if kind == "area":
@@ -116,8 +120,12 @@ class History(unittest.TestCase):
     def test_area(self) -> None:
         self.check("area", away, small)
 
+    def test_sun(self) -> None:
+        self.check("sun", away, out_of_the_room)
+
     def test_preset(self) -> None:
         self.check("full", away)
+        self.check("soft", away)
 
     def test_spheres(self) -> None:
         self.check("spheres", turned)
