@@ -31,7 +31,7 @@ print("loaded" if "vtkRenderingIndirect" in maps else "not loaded")
 """
 
 
-def vtk(version: str) -> types.SimpleNamespace:
+def vtk(version: str, place: str = "/somewhere") -> types.SimpleNamespace:
     """Stand for the module vtkCommonCore of a version."""
     major, minor, build = version.split(".")
     number = types.SimpleNamespace(
@@ -39,7 +39,7 @@ def vtk(version: str) -> types.SimpleNamespace:
         GetVTKMinorVersion=lambda: int(minor),
         GetVTKBuildVersion=lambda: int(build),
     )
-    return types.SimpleNamespace(vtkVersion=number, __file__="/somewhere/vtkmodules/core.so")
+    return types.SimpleNamespace(vtkVersion=number, __file__=f"{place}/vtkmodules/core.so")
 
 
 class Problem(unittest.TestCase):
@@ -54,6 +54,25 @@ class Problem(unittest.TestCase):
             text = self.problem(other)
             self.assertIn("built for VTK 9.1.0", text)
             self.assertIn(f"has VTK {other} (/somewhere/vtkmodules)", text)
+
+    def test_what_to_do(self) -> None:
+        """A VTK of PyPI comes first; Debian's own packages and other folders are none of it."""
+        fits = types.SimpleNamespace(
+            PYTHON=f"{sys.version_info[0]}.{sys.version_info[1]}", VTK="9.1.0", VTK_LIBRARY=""
+        )
+        for place, of_pypi in (
+            ("/home/u/.local/lib/python3.11/site-packages", True),
+            ("/home/u/venv/lib/python3.11/site-packages", True),
+            ("/usr/local/lib/python3.11/dist-packages", True),
+            ("/usr/lib/python3/dist-packages", False),
+            ("/somewhere", False),
+        ):
+            with self.subTest(place=place):
+                text = compatibility.problem(fits, vtk("9.3.0", place))
+                self.assertEqual("python3 -m pip uninstall vtk;" in text, of_pypi, text)
+                self.assertEqual("--system-site-packages" in text, of_pypi, text)
+                self.assertEqual("start the Python that has VTK 9.1.0" in text, not of_pypi, text)
+                self.assertIn("or build vtkindirect with VTK 9.3.0", text)
 
     def test_python(self) -> None:
         text = self.problem("9.1.0", PYTHON="3.5")
