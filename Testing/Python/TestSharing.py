@@ -14,11 +14,23 @@ import vtkindirect
 from vtkindirect import windows, wrapped
 
 SIZE = (48, 36)
-# One without resources that follow it, one with samplers of its own, one with a grid, and the
-# automatic one.
-METHODS = ("auto", "hints", "reference")
-ESTIMATORS = ("vtkProxyAccumulationPass", "vtkRSMGatherPass", "vtkRadianceHintsPass")
-SAMPLERS = ("vtkLightTreeSampler", "vtkUniformLightSampler")
+# One without resources that follow it, those with samplers of their own, one with a grid, one with
+# spheres, and the automatic one.
+METHODS = ("auto", "hints", "reference", "gather", "splatting", "proxies")
+ESTIMATORS = (
+    "vtkIndirectSplattingPass",
+    "vtkMultiresolutionSplattingPass",
+    "vtkProxyAccumulationPass",
+    "vtkRSMGatherPass",
+    "vtkRSMReferencePass",
+    "vtkRadianceHintsPass",
+)
+SAMPLERS = (
+    "vtkImportanceLightSampler",
+    "vtkLightTreeSampler",
+    "vtkRandomWalkLightSampler",
+    "vtkUniformLightSampler",
+)
 
 
 def make_scene(radius: float = 0.4) -> vtkRenderer:
@@ -56,7 +68,7 @@ class Sharing(unittest.TestCase):
             with self.subTest(method=method):
                 renderer = make_scene()
                 window = make_window(renderer)
-                vtkindirect.enable(renderer, method, lighting="scene")
+                vtkindirect.enable(renderer, method, lighting="scene", **settings(method))
                 before = shoot(window)
                 self.assertEqual(np.abs(before - shoot(window)).max(), 0)
                 third = make_window(vtkRenderer())
