@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Output of the command line through links, into pipes and devices, and early ends."""
 
+import contextlib
+import fcntl
 import json
 import os
+import pty
 import signal
+import struct
 import subprocess
 import sys
+import termios
 import threading
 import time
 import unittest
@@ -160,6 +165,34 @@ class StandardOutput(support.DirectoryTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(json.loads(result.stdout)["size"], [16, 16])
         self.assertEqual(self.names(), ["a.png", "scene.json"])
+
+
+@unittest.skipIf(WHY_NOT, WHY_NOT or "")
+class Terminal(support.DirectoryTest):
+    def test_a_bar_is_shown_and_wiped_off(self) -> None:
+        """On a terminal of 80 columns: what goes on, and at last nothing but the file's name."""
+        scene = self.write("scene.json", support.small_scene())
+        out = self.directory / "a.png"
+        terminal, end = pty.openpty()
+        self.addCleanup(os.close, terminal)
+        fcntl.ioctl(end, termios.TIOCSWINSZ, struct.pack("HHHH", 24, 80, 0, 0))
+        with subprocess.Popen(
+            [sys.executable, "-B", "-m", "vtkindirect", "render", scene, "--size", "9x9", "-o", out],
+            stdout=subprocess.PIPE,
+            stderr=end,
+        ) as program:
+            os.close(end)
+            shown = b""
+            with contextlib.suppress(OSError):  # Linux: the last writer has closed its end
+                while piece := os.read(terminal, 4096):
+                    shown += piece
+            written = program.stdout.read()
+        self.assertEqual((program.returncode, written.decode()), (0, f"{out}\n"))
+        lines = shown.decode().split("\r")
+        for what in ("loading scene.json", "rendering ", "frame 1 of 1"):
+            self.assertTrue(any(what in line for line in lines), (what, lines))
+        self.assertEqual((lines[-2].strip(), lines[-1]), ("", ""))
+        self.assertNotIn("\n", shown.decode())
 
 
 class Bar(unittest.TestCase):
