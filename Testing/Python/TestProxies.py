@@ -7,10 +7,11 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkPointSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import (
     vtkActor,
     vtkGlyph3DMapper,
+    vtkPointGaussianMapper,
     vtkPolyDataMapper,
     vtkRenderer,
 )
@@ -254,6 +255,56 @@ class ProxyPass(unittest.TestCase):
         path = support.SOURCE / "Testing" / "Benchmark" / "sky.json"
         rows = [row for row in sweep.load(path).rows if row.method == "proxies"]
         self.assertGreaterEqual(len(rows), 1)
+
+
+@unittest.skipIf(support.why_no_rendering(), support.why_no_rendering())
+class Points(unittest.TestCase):
+    """Points alone, as spheres or as splats: light falls on them, or the report says why not."""
+
+    def look(self, splats: bool, method: str, environment):
+        source = vtkPointSource()
+        source.SetNumberOfPoints(100)
+        actor = vtkActor()
+        if splats:
+            mapper = vtkPointGaussianMapper()
+            mapper.SetScaleFactor(0.05)
+        else:
+            mapper = vtkPolyDataMapper()
+            actor.GetProperty().RenderPointsAsSpheresOn()
+            actor.GetProperty().SetPointSize(8)
+        mapper.SetInputConnection(source.GetOutputPort())
+        actor.SetMapper(mapper)
+        renderer = vtkRenderer()
+        renderer.AddActor(actor)
+        renderer.ResetCamera()
+        window = vtkindirect.render_window((64, 48), offscreen=True)
+        window.AddRenderer(renderer)
+        self.addCleanup(window.Finalize)
+        vtkindirect.enable(renderer, method, environment=environment)
+        for _ in range(3):
+            window.Render()
+        left_out = [
+            entry["why"]
+            for entry in vtkindirect.report(renderer)["left_out"]
+            if mapper.GetClassName() in entry["what"]
+        ]
+        return vtkindirect.copy_buffer(renderer, "irradiance"), " ".join(left_out)
+
+    def test_points_get_light_or_are_named(self) -> None:
+        # The default's own sky, a white one, and sums over spheres.
+        for method, environment, least in (
+            ("auto", None, 0.01),
+            ("auto", (1, 1, 1), 0.9),
+            ("proxies", (1, 1, 1), 0.9),
+        ):
+            with self.subTest(method=method, environment=environment):
+                light, why = self.look(False, method, environment)
+                self.assertGreater(light.max(), least)
+                self.assertLess(light.max(), 1.02)
+                self.assertIn("neither cast shadows nor send light", why)
+                light, why = self.look(True, method, environment)
+                self.assertEqual(light.max(), 0)
+                self.assertIn("they receive no indirect light", why)
 
 
 if __name__ == "__main__":
