@@ -109,12 +109,8 @@ const std::vector<vtkEnvironmentLight::Cell>& vtkEnvironmentLight::GetCells()
     return this->Cells;
   }
   this->MakeCells();
-  const bool bounded = std::all_of(this->Cells.begin(), this->Cells.end(),
-    [](const Cell& cell)
-    {
-      return std::max({ cell.Light[0], cell.Light[1], cell.Light[2] }) <=
-        vtkIndirectRadianceImage::MostRadiance;
-    });
+  const bool bounded = std::all_of(this->Greatest, this->Greatest + 3,
+    [](double radiance) { return radiance <= vtkIndirectRadianceImage::MostRadiance; });
   if (!bounded)
   {
     vtkErrorMacro("The environment's radiance is not used: with its scale it is beyond "

@@ -7,7 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from vtkmodules.vtkCommonCore import vtkFloatArray, vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkCommonCore import (
+    VTK_FLOAT,
+    vtkFloatArray,
+    vtkOutputWindow,
+    vtkStringOutputWindow,
+)
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper
@@ -146,8 +151,8 @@ class Scenes(support.DirectoryTest):
         self.assertEqual(indirect.GetNumberOfAreaLights(), 1)
         window.Finalize()
 
-    def errors_of(self, action: Any) -> list[str]:
-        """Return the errors that VTK prints meanwhile, a line each."""
+    def errors_of(self, action: Any, kind: str = "vtkAreaLight") -> list[str]:
+        """Return the errors of a class that VTK prints meanwhile, a line each."""
         window = vtkStringOutputWindow()
         before = vtkOutputWindow.GetInstance()
         vtkOutputWindow.SetInstance(window)
@@ -155,7 +160,7 @@ class Scenes(support.DirectoryTest):
             action()
         finally:
             vtkOutputWindow.SetInstance(before)
-        return [line for line in window.GetOutput().splitlines() if "vtkAreaLight (" in line]
+        return [line for line in window.GetOutput().splitlines() if f"{kind} (" in line]
 
     def test_short_images(self) -> None:
         # Five scalars for 64 x 64 points: more are not read, and the light is off.
@@ -200,6 +205,39 @@ class Scenes(support.DirectoryTest):
             area = images.copy_buffer(scene.renderer, "area")
             self.assertTrue(np.array_equal(area, alone), other)
             window.Finalize()
+
+    def test_what_floats_do_not_hold_in_a_sky(self) -> None:
+        # No light comes from it: an error says so once, and the lamp shines as if alone.
+        def light(sky) -> tuple[list, np.ndarray]:
+            scene = self.load(LAMP)
+            window = scene.make_window()
+            vtkindirect.enable(scene, environment=sky)
+            errors = self.errors_of(window.Render, "vtkEnvironmentLight")
+            self.assertEqual(self.errors_of(window.Render, "vtkEnvironmentLight"), [])
+            irradiance = images.copy_buffer(scene.renderer, "irradiance").copy()
+            final = images.copy_buffer(scene.renderer, "final")
+            self.assertTrue(np.isfinite(final).all() and np.isfinite(irradiance).all())
+            window.Finalize()
+            return errors, irradiance
+
+        pixels = vtkImageData()
+        pixels.SetDimensions(8, 4, 1)
+        pixels.AllocateScalars(VTK_FLOAT, 3)
+        pixels.GetPointData().GetScalars().Fill(1)
+        pixels.SetScalarComponentFromDouble(3, 2, 0, 0, 1e38)
+        _, alone = light(None)
+        for how, calls in {
+            "radiance": {"SetRadiance": (1e300, 1, 1)},
+            "scale": {"SetRadiance": (1e8, 1, 1), "SetScale": (1e300,)},  # 1e12 is the greatest
+            "image": {"SetImage": (pixels,)},
+        }.items():
+            with self.subTest(how=how):
+                sky = wrapped.get("vtkEnvironmentLight")()
+                for name, values in calls.items():
+                    getattr(sky, name)(*values)
+                errors, irradiance = light(sky)
+                self.assertEqual(len(errors), 1, errors)
+                self.assertTrue(np.array_equal(irradiance, alone))
 
     def test_many(self) -> None:
         # As bright, directly and reflected, as one light of the same size and place.
