@@ -9,12 +9,15 @@
 #include "vtkImageSlice.h"
 #include "vtkImageSliceMapper.h"
 #include "vtkLineSource.h"
+#include "vtkLookupTable.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderWindow.h"
+#include "vtkScalarBarActor.h"
 #include "vtkSphereSource.h"
+#include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -48,6 +51,25 @@ vtkSmartPointer<vtkActor> MakeNoisy(vtkPolyDataAlgorithm* source, bool lit)
   mapper->SetInputData(data);
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
+  actor->GetProperty()->SetLighting(lit);
+  return actor;
+}
+
+// A square with a texture of random pixels.
+vtkSmartPointer<vtkActor> MakeTextured(bool lit)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(60, 60, 1);
+  image->GetPointData()->SetScalars(MakeNoise(3600));
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  texture->InterpolateOff();
+  vtkNew<vtkPlaneSource> plane;
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetTexture(texture);
   actor->GetProperty()->SetLighting(lit);
   return actor;
 }
@@ -112,9 +134,11 @@ void Count(Scene& scene, int& within, int& beside)
 
 //------------------------------------------------------------------------------
 // Colours of cells and pixels, lit and unlit, flat, curved and at a grazing angle.
+// What VTK does not light is VTK's picture, too.
 VTK_INDIRECT_TEST(OutlinesAreNotInData)
 {
-  auto check = [](const std::string& what, const Vec3& eye, const std::function<void(Scene&)>& add)
+  auto check = [](const std::string& what, const Vec3& eye, const std::function<void(Scene&)>& add,
+                 bool lit = false)
   {
     Scene scene;
     add(scene);
@@ -125,6 +149,13 @@ VTK_INDIRECT_TEST(OutlinesAreNotInData)
     std::cout << what << ": " << within << " pixels changed within, " << beside << " beside\n";
     CONTRACT_CHECK(within == 0, what << ": " << within << " pixels of data are changed");
     CONTRACT_CHECK(beside > 20, what << ": its outline is not antialiased");
+    if (!lit)
+    {
+      const Pixels off = scene.Grab(false);
+      scene.Renderer->SetPass(nullptr);
+      const Pixels plain = scene.View::Grab();
+      CONTRACT_CHECK(off.Values == plain.Values, what << ": not the picture of VTK");
+    }
   };
   for (bool lit : { false, true })
   {
@@ -135,17 +166,35 @@ VTK_INDIRECT_TEST(OutlinesAreNotInData)
       plane->SetResolution(60, 60);
       scene.Renderer->AddActor(MakeNoisy(plane, lit));
     };
-    check("a plane" + suffix, { 0.2, 0.3, 2.6 }, addPlane);
-    check("a plane at a grazing angle" + suffix, { 0.3, 1.6, 0.25 }, addPlane);
-    check("a ball" + suffix, { 0.2, 0.3, 2.6 },
+    check("a plane" + suffix, { 0.2, 0.3, 2.6 }, addPlane, lit);
+    check("a plane at a grazing angle" + suffix, { 0.3, 1.6, 0.25 }, addPlane, lit);
+    check(
+      "a ball" + suffix, { 0.2, 0.3, 2.6 },
       [lit](Scene& scene)
       {
         vtkNew<vtkSphereSource> sphere;
         sphere->SetThetaResolution(48);
         sphere->SetPhiResolution(48);
         scene.Renderer->AddActor(MakeNoisy(sphere, lit));
-      });
+      },
+      lit);
+    check(
+      "a texture" + suffix, { 0.2, 0.3, 2.6 },
+      [lit](Scene& scene) { scene.Renderer->AddActor(MakeTextured(lit)); }, lit);
   }
+  check("a scalar bar", { 0.2, 0.3, 2.6 },
+    [](Scene& scene)
+    {
+      scene.Renderer->AddActor(MakeTextured(false));
+      vtkNew<vtkLookupTable> table;
+      table->SetNumberOfTableValues(60);
+      table->Build();
+      vtkNew<vtkScalarBarActor> bar;
+      bar->SetLookupTable(table);
+      bar->SetPosition(0.7, 0.1);
+      bar->SetWidth(0.25);
+      scene.Renderer->AddActor2D(bar);
+    });
   check("an image", { 0.2, 0.3, 2.6 },
     [](Scene& scene)
     {
