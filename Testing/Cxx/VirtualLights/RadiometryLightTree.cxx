@@ -10,6 +10,7 @@
 #include "vtkMath.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
+#include "vtkRandomWalkLightSampler.h"
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>
@@ -39,6 +40,22 @@ Difference Compare(const Image& image, const Image& reference)
   }
   difference.Squared /= static_cast<double>(reference.Values.size());
   return difference;
+}
+
+// Hills of six waves.
+auto MakeHills(int resolution)
+{
+  return MakeSheet(resolution,
+    [](double x, double y)
+    {
+      double height = 0.0;
+      for (int wave = 0; wave < 6; ++wave)
+      {
+        const double along = std::cos(2.4 * wave) * x - std::sin(2.4 * wave) * y;
+        height += 0.14 / (1.0 + wave) * std::sin((4.0 + 2.0 * wave) * along + 1.7 * wave);
+      }
+      return height;
+    });
 }
 }
 
@@ -90,17 +107,7 @@ VTK_INDIRECT_TEST(LightTreeAgainstAllTexels)
 VTK_INDIRECT_TEST(LightTreeOnHillsUnderALowSun)
 {
   Scene scene(96, 72);
-  const auto hills = MakeSheet(160,
-    [](double x, double y)
-    {
-      double height = 0.0;
-      for (int wave = 0; wave < 6; ++wave)
-      {
-        const double along = std::cos(2.4 * wave) * x - std::sin(2.4 * wave) * y;
-        height += 0.14 / (1.0 + wave) * std::sin((4.0 + 2.0 * wave) * along + 1.7 * wave);
-      }
-      return height;
-    });
+  const auto hills = MakeHills(160);
   scene.AddSource(hills, { 0.8, 0.8, 0.8 });
   scene.SetEye({ 0, -3, 3 }, { 0, 0, 0 }, { 0, 0, 1 }, 36, 0.5, 8);
   scene.Pass->SetVisibility(vtkIndirectIlluminationPass::NONE);
@@ -138,6 +145,38 @@ VTK_INDIRECT_TEST(LightTreeOnHillsUnderALowSun)
   }
   scene.Pass->SetSampler(nullptr);
   scene.Pass->SetEstimator(nullptr);
+}
+
+// All bounces, with what hills hide: as dark as the first bounce alone, and no darker.
+VTK_INDIRECT_TEST(LightTreeOnHillsInAllBounces)
+{
+  Scene scene(64, 48);
+  scene.AddSource(MakeHills(64), { 0.8, 0.8, 0.8 });
+  scene.SetEye({ 0, -3, 3 }, { 0, 0, 0 }, { 0, 0, 1 }, 36, 0.5, 8);
+  scene.Pass->SetVisibility(vtkIndirectIlluminationPass::AUTO);
+  scene.Pass->SetNumberOfBounces(8);
+  scene.Gather->SetModeToVirtualLights();
+  scene.Gather->InterpolationOff();
+  vtkNew<vtkLightTreeSampler> tree;
+  vtkNew<vtkRandomWalkLightSampler> walk;
+  walk->SetNumberOfLights(2048);
+  for (const double elevation : { 15.0, 8.0 })
+  {
+    scene.Renderer->RemoveAllLights();
+    const double angle = vtkMath::RadiansFromDegrees(elevation);
+    scene.AddDirectional({ -0.8 * std::cos(angle), 0.6 * std::cos(angle), -std::sin(angle) });
+    scene.Pass->SetSampler(walk);
+    scene.Render();
+    const Image reference = scene.Copy("bounce");
+    scene.Pass->SetSampler(tree);
+    scene.Render();
+    const Difference all = Compare(scene.Copy("bounce"), reference);
+    const std::string name = std::to_string(static_cast<int>(elevation)) + " degrees";
+    CheckAtLeast(name + ": there is light", reference.Mean(), 1e-3, "the test's own power");
+    CheckAtMost(name + ": bias of all bounces", std::abs(all.Bias), 0.045,
+      "half as much again as the measured 0.021 and 0.030");
+  }
+  scene.Pass->SetSampler(nullptr);
 }
 
 VTK_INDIRECT_TEST(LightTreeKeepsTheLight)
