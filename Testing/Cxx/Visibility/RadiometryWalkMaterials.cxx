@@ -10,6 +10,7 @@
 
 #include "vtkActor.h"
 #include "vtkCompositeDataDisplayAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkMultiBlockDataSet.h"
@@ -18,6 +19,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRadianceHintsPass.h"
 #include "vtkShaderProperty.h"
 #include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
@@ -214,4 +216,93 @@ VTK_INDIRECT_TEST(WalkShaderCode)
   scene.UseWalk(1024, 2);
   const std::string report = scene.Pass->GetReport();
   Check("the report names it", report.find("shader code of the user's own") != std::string::npos);
+  vtkNew<vtkRadianceHintsPass> hints;
+  scene.Pass->SetSampler(nullptr);
+  scene.Pass->SetEstimator(hints);
+  scene.Pass->SetNumberOfBounces(8);
+  scene.Render();
+  Check("so does that of hints",
+    scene.Pass->GetReport().find("shader code of the user's own") != std::string::npos);
+  scene.Pass->SetEstimator(nullptr);
+}
+
+// Hints send the colours of blocks and of textures of PBR in all bounces: a floor beside a ball
+// gets what it gets beside a ball of that colour.
+VTK_INDIRECT_TEST(HintsTakeColoursOfBlocksAndTextures)
+{
+  const auto draw = [](int kind)
+  {
+    Scene scene(40, 30);
+    scene.AddQuad({ -1, 0, 1 }, { 1, 0, 1 }, { -1, 0, -1 }, { 0.8, 0.8, 0.8 });
+    scene.AddQuad({ -1, 0, -1 }, { 1, 0, -1 }, { -1, 1, -1 }, { 0.8, 0.8, 0.8 });
+    scene.AddSpot({ 0.9, 1.5, 0.9 }, { 0, 0.3, 0 }, 40, 1, { 1, 0, 0 });
+    scene.SetEye({ 1.2, 1.6, 2.3 }, { 0, 0.2, 0 }, { 0, 1, 0 }, 36, 0.5, 6);
+    // A byte of 243 stands for 0.896, one of 63 for 0.050.
+    const double red[3] = { 0.896, 0.05, 0.05 };
+    vtkActor* ball = scene.AddSphere({ 0, 0.4, 0 }, 0.35, 32, { 0.5, 0.5, 0.5 });
+    vtkProperty* property = ball->GetProperty();
+    if (kind == 0 || kind == 2)
+    {
+      property->SetColor(red[0], red[1], red[2]);
+    }
+    if (kind >= 2)
+    {
+      property->SetInterpolationToPBR();
+      property->SetMetallic(0.0);
+    }
+    vtkNew<vtkCompositeDataDisplayAttributes> attributes;
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    if (kind == 1)
+    {
+      ball->GetMapper()->Update();
+      blocks->SetBlock(0, ball->GetMapper()->GetInputDataObject(0, 0));
+      attributes->SetBlockColor(blocks->GetBlock(0), red);
+      vtkNew<CompositeMapper> mapper;
+      mapper->SetInputDataObject(blocks);
+      mapper->SetCompositeDataDisplayAttributes(attributes);
+      ball->SetMapper(mapper);
+    }
+    if (kind == 3)
+    {
+      ball->GetMapper()->Update();
+      vtkNew<vtkPolyData> mesh;
+      mesh->ShallowCopy(ball->GetMapper()->GetInputDataObject(0, 0));
+      vtkNew<vtkFloatArray> coordinates;
+      coordinates->SetNumberOfComponents(2);
+      coordinates->SetNumberOfTuples(mesh->GetNumberOfPoints());
+      coordinates->Fill(0.5);
+      mesh->GetPointData()->SetTCoords(coordinates);
+      vtkPolyDataMapper::SafeDownCast(ball->GetMapper())->SetInputData(mesh);
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(1, 1, 1);
+      image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+      const unsigned char encoded[3] = { 243, 63, 63 };
+      std::copy(encoded, encoded + 3, static_cast<unsigned char*>(image->GetScalarPointer()));
+      vtkNew<vtkTexture> texture;
+      texture->SetInputData(image);
+      texture->UseSRGBColorSpaceOn();
+      property->SetColor(1, 1, 1);
+      property->SetBaseColorTexture(texture);
+    }
+    vtkNew<vtkRadianceHintsPass> hints;
+    scene.Pass->SetEstimator(hints);
+    scene.Pass->SetNumberOfBounces(8);
+    scene.Render();
+    const Image bounce = scene.Copy("bounce");
+    scene.Pass->SetEstimator(nullptr);
+    return glm::dvec3(bounce.Mean(0), bounce.Mean(1), bounce.Mean(2));
+  };
+  const char* const names[] = { "a colour", "a block's colour", "a colour of PBR",
+    "a texture of PBR" };
+  for (const int kind : { 1, 3 })
+  {
+    const glm::dvec3 expected = draw(kind - 1);
+    const glm::dvec3 found = draw(kind);
+    for (int c = 0; c < 3; ++c)
+    {
+      CheckRelative(names[kind], found[c], expected[c], 0.05, "a grid's injection of few senders");
+    }
+    CheckAtLeast(std::string(names[kind]) + " is seen: red over green", found.x / found.y, 1.05,
+      "the test's own power");
+  }
 }
