@@ -396,7 +396,8 @@ VTK_INDIRECT_TEST(FlatUniforms)
 // their sum, and so is indirect light but for the choice of virtual lights.
 VTK_INDIRECT_TEST(ManySpots)
 {
-  auto render = [](int spots)
+  std::vector<vtkIdType> counts;
+  auto render = [&counts](int spots)
   {
     View view(120, 90);
     AddRoomSurfaces(view.Renderer);
@@ -413,12 +414,20 @@ VTK_INDIRECT_TEST(ManySpots)
     view.Renderer->SetPass(pass);
     view.Grab();
     const vtkIdType builds = CountShaderBuilds(pass);
+    CONTRACT_CHECK(CountOf(pass, "faces_drawn") == spots,
+      spots << " spots: " << CountOf(pass, "faces_drawn") << " faces");
     view.Grab();
     CONTRACT_CHECK(CountShaderBuilds(pass) == builds, "the second frame built shaders");
+    std::cout << spots << " spots: " << builds << " shader builds\n";
+    counts.push_back(builds);
     return std::make_pair(Read(pass, "direct"), Read(pass, "bounce"));
   };
   const auto one = render(1);
   const auto many = render(40);
+  render(80);
+  // Maps have programs of their own, without the light of all lights at each of their texels.
+  CONTRACT_CHECK(counts[1] > counts[0], "40 spots have no programs for maps");
+  CONTRACT_CHECK(counts[1] == counts[2], "80 spots build other programs than 40");
   const Difference direct = Compare(one.first, many.first);
   const double bounce = Mean(many.second, 0) / Mean(one.second, 0);
   std::cout << "40 spots as one: direct " << direct << ", bounce " << bounce << "\n";

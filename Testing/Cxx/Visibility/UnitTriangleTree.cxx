@@ -283,6 +283,42 @@ VTK_INDIRECT_TEST(TreeScales)
     "the test's own power");
 }
 
+// Boxes grow by their own coordinates, not by those of a triangle far away: a box that did would
+// hold each point of the room, so that each ray met all triangles.
+VTK_INDIRECT_TEST(TreeBesideAFarTriangle)
+{
+  Random random(53);
+  std::vector<Corners> triangles;
+  for (int i = 0; i < 2000; ++i)
+  {
+    const glm::dvec3 at = NextInCube(random);
+    triangles.push_back(
+      { at, at + 0.02 * random.NextDirection(), at + 0.02 * random.NextDirection() });
+  }
+  std::vector<glm::dvec3> points;
+  for (int i = 0; i < 2000; ++i)
+  {
+    points.push_back(NextInCube(random));
+  }
+  const auto count = [&](const std::vector<Corners>& given)
+  {
+    vtkIndirectTriangleTree tree;
+    Fill(tree, given);
+    double near = 0.0;
+    for (const glm::dvec3& point : points)
+    {
+      tree.ForEachNear(point, 1e-3, [&near](const glm::dvec3*) { near += 1.0; });
+    }
+    return near;
+  };
+  const double alone = count(triangles);
+  CheckAtLeast("triangles near to the points", alone, 10.0, "the test's own power");
+  triangles.push_back({ glm::dvec3(2, 2, 2), glm::dvec3(1e9, 2, 2), glm::dvec3(2, 1e9, 2) });
+  CheckAtMost("beside a triangle of 1e9", count(triangles),
+    1.2 * alone + static_cast<double>(points.size()),
+    "its own box is wide by rounding; were all boxes as wide, four million were near");
+}
+
 VTK_INDIRECT_TEST(TreeOddTriangles)
 {
   vtkIndirectTriangleTree tree;
