@@ -271,14 +271,27 @@ struct PaperRoom : HintScene
     return result;
   }
 
-  // The finer grid's share of the light at a surface: it fades over its outermost two cells.
+  // The finer grid's share of the light at a surface: it fades over its outermost two cells, except
+  // at faces that both grids share.
   double FindFineShare(const glm::dvec3& position) const
   {
-    const glm::dvec3 inGrid = (position - this->Grids.back().Lower) / this->Grids.back().Cell;
-    const glm::dvec3 inside = glm::min(inGrid, glm::dvec3(Grid[0], Grid[1], Grid[2]) - inGrid);
-    return this->Grids.size() > 1
-      ? glm::clamp(0.5 * std::min({ inside.x, inside.y, inside.z }), 0.0, 1.0)
-      : 0.0;
+    if (this->Grids.size() < 2)
+    {
+      return 0.0;
+    }
+    const GridPlace& fine = this->Grids.back();
+    const GridPlace& coarse = this->Grids.front();
+    const glm::dvec3 size(Grid[0], Grid[1], Grid[2]);
+    double inside = 2.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      const double low = (position[i] - fine.Lower[i]) / fine.Cell[i];
+      const double atLow = fine.Lower[i] - coarse.Lower[i];
+      const double atHigh = atLow + size[i] * (fine.Cell[i] - coarse.Cell[i]);
+      inside = std::abs(atLow) < 0.5 * fine.Cell[i] ? inside : std::min(inside, low);
+      inside = std::abs(atHigh) < 0.5 * fine.Cell[i] ? inside : std::min(inside, size[i] - low);
+    }
+    return glm::clamp(0.5 * inside, 0.0, 1.0);
   }
 
   // Eq. 5 to 7: four look-ups, each in the eight hints around it, by the grids' shares.

@@ -97,11 +97,15 @@ void vtkiAddLookup(inout vtkiField sum, inout float total, int grid, vec3 at, fl
 }
 
 // Returns the share of the finer grid at a point: whole inside, fading over its outermost two
-// cells.
+// cells, except at faces that both grids share.
 float vtkiFineShare(vec3 position)
 {
   vec3 inGrid = (position - vtkiGridLower1.xyz) / vtkiGridCell1.xyz;
-  vec3 inside = min(inGrid, vtkiGridSize1.xyz - inGrid);
+  vec3 low = (vtkiGridLower1.xyz - vtkiGridLower0.xyz) / vtkiGridCell1.xyz;
+  vec3 high =
+    low + vtkiGridSize1.xyz - vtkiGridSize0.xyz * vtkiGridCell0.xyz / vtkiGridCell1.xyz;
+  vec3 inside = min(inGrid + 2.0f * vec3(lessThan(abs(low), vec3(0.5f))),
+    vtkiGridSize1.xyz - inGrid + 2.0f * vec3(lessThan(abs(high), vec3(0.5f))));
   return clamp(0.5f * min(min(inside.x, inside.y), inside.z), 0.0f, 1.0f);
 }
 
