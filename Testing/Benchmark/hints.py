@@ -7,12 +7,13 @@
 With --figure: plots the time of cornell_box by the number of hints, samples, bounces and pixels, for
 order 2 and order 3, over that of the paper's usual settings (its figure 10).
 
-Else prints a Markdown table for rooms of any number of triangles: the paper's settings, grids and
-numbers of samples (its table 2) in procedural rooms, milliseconds to bring the first bounce to the
-hints, for the second, and for look-up and interpolation, with order 2 and with order 3, and the ratio of their sums. Frames of the
-two alternate in one run on one window, so that other load falls on both alike: only ratios are
-results, and times beside them tell how long it took here. Light is brought to the hints anew in
-every frame; maps and surfaces stay. Times are medians over rounds.
+Else prints a Markdown table: the paper's settings, grids and numbers of samples (its table 2) in
+procedural rooms about as large as its scenes, or of --triangles. A cell holds milliseconds to bring
+the first bounce to the hints, for the second, and for look-up and interpolation; ratios are those of
+their sums, order 3 over order 2. Frames of the two alternate in one run on one window, so that other
+load falls on both alike: only ratios are results, and times beside them tell how long it took here.
+Light is brought to the hints anew in every frame; maps and surfaces stay. Times are medians over
+rounds.
 """
 
 from __future__ import annotations
@@ -20,21 +21,42 @@ from __future__ import annotations
 import argparse
 import statistics
 import sys
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import plot
 from multiresolution import procedural, table
 from vtkindirect import load_scene, methods, windows
 
-TRIANGLES = (12_000, 80_000, 150_000, 330_000)
 BALLS = 24
-GRIDS = {
-    "Cellar": ((13, 5, 16), 20),
-    "Containers": ((16, 8, 16), 50),
-    "Sponza": ((24, 11, 15), 30),
+
+
+class Published(NamedTuple):
+    """A scene of the paper's table 2."""
+
+    triangles: int
+    grid: tuple[int, int, int]
+    samples: int
+    """Of maps, for each hint."""
+    order_2: tuple[float, float, float]
+    """Milliseconds on a GeForce GTX 285: first bounce, second bounce, look-up at 1024 x 1024."""
+    order_3: tuple[float, float, float]
+
+
+PUBLISHED = {
+    "Containers": Published(12_528, (16, 8, 16), 50, (1.90, 1.55, 2.17), (3.87, 2.70, 4.55)),
+    "Cellar": Published(15_220, (13, 5, 16), 20, (1.25, 0.90, 2.95), (2.81, 2.39, 6.16)),
+    "Cargo bay": Published(18_297, (16, 9, 16), 50, (3.14, 1.74, 2.95), (6.80, 2.91, 6.16)),
+    "Sibenik": Published(80_062, (16, 13, 7), 30, (1.18, 1.23, 2.93), (1.97, 1.63, 6.27)),
+    "Sponza": Published(267_235, (24, 11, 15), 30, (2.26, 1.87, 2.88), (4.13, 2.79, 6.03)),
+    "Cornell box": Published(326_383, (10, 10, 10), 60, (2.36, 0.73, 2.57), (2.94, 1.53, 5.58)),
 }
-"""Hints along the axes and samples a hint, of the paper's table 2: its least, middle and most."""
+LEGEND = """\
+Cells: milliseconds for the first bounce at the hints + the second + look-up and interpolation at the
+pixels. Order 3 / 2: ratio of their sums with harmonics of order 3 and of order 2; the paper's is that
+of the sums of its table 2 (GeForce GTX 285). Rooms have about as many triangles as the paper's scenes.
+"""
 
 CORNELL_BOX = Path(__file__).resolve().parents[1] / "Scenes" / "cornell_box.json"
 USUAL = {"hints": 16, "samples": 28, "bounces": 1, "pixels": 1024}
@@ -121,6 +143,38 @@ def draw(path: Path, rounds: int) -> None:
     pyplot.close(figure)
 
 
+def cell(milliseconds: Iterable[float], digits: int = 1) -> str:
+    """Times of the stages, as LEGEND says."""
+    return " + ".join(f"{ms:.{digits}f}" for ms in milliseconds)
+
+
+def row_of(name: str, published: Published, wanted: int, size: int, rounds: int) -> tuple[Any, ...]:
+    """A row of the table: a room of about so many triangles with a scene's grid and samples."""
+    renderer, triangles = procedural(BALLS, resolution_for(wanted))
+    window = windows.render_window((size, size), offscreen=True)
+    windows.start(window)
+    window.AddRenderer(renderer)
+    indirect = methods.enable(renderer, "hints", NumberOfBounces=2)
+    hints = indirect.GetEstimator()
+    hints.SetPresetToPaper()
+    hints.SetGridResolution(*published.grid)
+    hints.SetNumberOfSamples(published.samples)
+    found: dict[int, list[list[float]]] = {2: [], 3: []}
+    for turn in range(rounds + 1):
+        for order, times in found.items():
+            measured = measure(indirect, window, order)
+            if turn > 0:  # the first builds shaders
+                times.append(measured)
+    window.Finalize()
+    two, three = ([statistics.median(column) for column in zip(*found[order])] for order in (2, 3))
+    return (
+        name, f"{triangles / 1000:.0f}K", " x ".join(map(str, published.grid)), published.samples,
+        cell(two), cell(three), f"{sum(three) / sum(two):.2f}",
+        cell(published.order_2, 2), cell(published.order_3, 2),
+        f"{sum(published.order_3) / sum(published.order_2):.2f}",
+    )  # fmt: skip
+
+
 def main() -> int:
     """Measure and print the table; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
@@ -135,36 +189,13 @@ def main() -> int:
         draw(words.figure, words.rounds)
         return 0
     rows = []
-    for wanted in words.triangles or TRIANGLES:
-        renderer, triangles = procedural(BALLS, resolution_for(wanted))
-        window = windows.render_window((words.size, words.size), offscreen=True)
-        windows.start(window)
-        window.AddRenderer(renderer)
-        indirect = methods.enable(renderer, "hints", NumberOfBounces=2)
-        hints = indirect.GetEstimator()
-        hints.SetPresetToPaper()
-        for name, (grid, samples) in GRIDS.items():
-            hints.SetGridResolution(*grid)
-            hints.SetNumberOfSamples(samples)
-            found: dict[int, list[list[float]]] = {2: [], 3: []}
-            for turn in range(words.rounds + 1):
-                for order, times in found.items():
-                    measured = measure(indirect, window, order)
-                    if turn > 0:  # the first builds shaders
-                        times.append(measured)
-            medians = {
-                order: [statistics.median(column) for column in zip(*times)]
-                for order, times in found.items()
-            }
-            rows.append(
-                (f"{triangles / 1000:.0f}K", name, " x ".join(map(str, grid)), samples,
-                 *(" ".join(f"{ms:.1f}" for ms in medians[order]) for order in (2, 3)),
-                 f"{sum(medians[3]) / sum(medians[2]):.2f}")
-            )  # fmt: skip
-        window.Finalize()
+    for name, published in PUBLISHED.items():
+        for wanted in words.triangles or (published.triangles,):
+            rows.append(row_of(name, published, wanted, words.size, words.rounds))
     print(f"Radiance hints, the paper's settings, {words.size} x {words.size}\n")
-    head = ("triangles", "grid of", "hints", "samples", "order 2", "order 3", "order 3 / 2")
-    table(head, rows)
+    print(LEGEND)
+    table(("grid of", "triangles", "hints", "samples", "order 2", "order 3", "order 3 / 2",
+           "paper's order 2", "paper's order 3", "paper's order 3 / 2"), rows)  # fmt: skip
     return 0
 
 

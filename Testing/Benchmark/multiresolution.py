@@ -10,12 +10,14 @@ them tell how long it took here. Nothing is reused between frames; times are med
 
 - speed: at SIZE x SIZE with 256 lights, indirect stages of the gather at every pixel over those of
   multiresolution splatting, its RMSE to that gather, and what VTK's SSAO (32 samples, blurred)
-  adds to a plain frame.
+  adds to a plain frame. "Sums alone" compares the stages `estimate` and `upsample`, without those
+  that both have: making lights, and the composite; "their share" is that of these two.
 - pixels: growth of subsplats, of evaluation (time with 1024 lights less time with one) and of all
   indirect stages for four times the pixels, SIZE / 2 to SIZE.
 - lights: a whole frame from 100 to 3600 lights.
 - paper: Table 1 and Figures 6, 7 and 8 of Nichols and Wyman 2009 on scenes with about as many triangles. Their
-  column is the resolution of the indirect light in a picture of 1024 x 1024, here that of the window.
+  resolution of indirect light is `FinestLevel` in a window of SIZE x SIZE: 1024, 512, 256 and 128 in a picture of
+  1024 x 1024 are full, half, quarter and eighth resolution.
 - flicker: change of the error from frame to frame along a path of the camera and of the light, over
   that of the gather with the same lights.
 """
@@ -49,12 +51,16 @@ import ssao as yardstick
 
 SCENES = Path(__file__).resolve().parent.parent / "Scenes"
 LIGHTS = 256
+STEPS = {8: "Eighth", 4: "Quarter", 2: "Half", 1: "Full"}
+"""Edges of the finest subsplats in pixels, and the words for them in the setter of FinestLevel."""
 PUBLISHED = {
-    "6K": {128: 68, 256: 50, 512: 33, 1024: 22},
-    "250K": {128: 60, 256: 42, 512: 30, 1024: 24},
-    "400K": {128: 59, 256: 42, 512: 28, 1024: 21},
+    (4, 28): {8: 68, 4: 50, 2: 33, 1: 22},
+    (16, 88): {8: 60, 4: 42, 2: 30, 1: 24},
+    (25, 89): {8: 59, 4: 42, 2: 28, 1: 21},
+    (36, 76): {8: 52, 4: 41, 2: 31, 1: 25},
 }
-"""Table 1 of the paper: frames a second on a GeForce GTX 280."""
+"""Table 1 of the paper, frames a second on a GeForce GTX 280, by STEPS in a picture of 1024 x 1024; and
+balls and their resolution for a room about as large as its scene: 6.3K, 250K, 405K, 417K triangles."""
 
 Apply = Callable[[], None]
 Times = dict[str, dict[str, float]]
@@ -180,21 +186,27 @@ def part_speed(rounds: int, size: int) -> None:
             "half resolution": bench.use(half),
         }
         times = bench.alternate(ways, rounds)
-        found = {}
+        found, counts = {}, {}
         for way, apply in ways.items():
             apply()
             bench.window.Render()
             found[way] = bench.irradiance()
+            if way != "gather at every pixel":
+                counts[way] = f"{100 * count_subsplats(bench) / size**2:.1f} %"
         added = ssao(bench, rounds)
-        base = times["gather at every pixel"]["indirect"]
+        first = times["gather at every pixel"]
+        base = first["indirect"]
         for way, t in times.items():
             rows.append((name, way, f"{t['indirect']:.0f}", f"{base / t['indirect']:.1f}",
+                         f"{first['evaluate'] / t['evaluate']:.1f}",
+                         f"{100 * t['evaluate'] / t['indirect']:.0f} %", counts.get(way, ""),
                          f"{rmse(found[way], found['gather at every pixel']):.2f} %",
                          f"{t['indirect'] / added:.2f}"))  # fmt: skip
-        rows.append((name, "SSAO adds", f"{added:.0f}", f"{base / added:.1f}", "", "1"))
+        rows.append((name, "SSAO adds", f"{added:.0f}", f"{base / added:.1f}", "", "", "", "", "1"))
         bench.window.Finalize()
     print(f"Speed at {size} x {size}, {LIGHTS} lights\n")
-    table(("scene", "method", "indirect, ms", "times as fast as the gather",
+    table(("scene", "method", "indirect, ms", "times as fast as the gather", "sums alone",
+           "their share", "subsplats, of the pixels",
            "RMSE over the mean to it", "over SSAO's"), rows)  # fmt: skip
 
 
@@ -324,50 +336,68 @@ def open_room(balls: int, resolution: int, size: int) -> tuple[Bench, int]:
     return Bench(renderer, window), triangles
 
 
+def finest(splatting: Any, step: int) -> None:
+    """Make the finest subsplats squares of `step` pixels along an edge."""
+    getattr(splatting, f"SetFinestLevelTo{STEPS[step]}Resolution")()
+
+
 def part_paper(rounds: int, size: int) -> None:
-    edges = [edge for edge in (128, 256, 512, 1024) if edge <= size]
+    table_1(rounds, size)
+    figure_6(rounds, size)
+    figure_7(rounds, size)
+    figure_8(rounds, size)
+
+
+def table_1(rounds: int, size: int) -> None:
+    """Frames a second by the finest subsplats' size, in rooms with few triangles and with many."""
     rows = []
-    for name, balls, resolution in (("6K", 4, 28), ("250K", 16, 88), ("400K", 25, 89)):
+    for (balls, resolution), paper in PUBLISHED.items():
         bench, triangles = open_room(balls, resolution, size)
         bench.use(bench.splatting)()
         bench.splatting.SetPresetToPaper()
-        times = bench.alternate(
-            {str(e): lambda e=e, w=bench.window: w.SetSize(e, e) for e in edges}, rounds
-        )
-        paper = PUBLISHED[name]
-        for edge in edges:
-            t = times[str(edge)]
-            rows.append((triangles, edge, f"{times['128']['frame'] / t['frame']:.2f}",
-                         f"{paper[edge] / paper[128]:.2f}",
-                         f"{t['indirect'] / times['128']['indirect']:.1f}"))  # fmt: skip
+        ways = {str(step): lambda step=step, s=bench.splatting: finest(s, step) for step in STEPS}
+        times = bench.alternate(ways, rounds)
+        coarsest = times[str(max(STEPS))]
+        for step in STEPS:
+            ways[str(step)]()
+            bench.window.Render()
+            t = times[str(step)]
+            rows.append((triangles, size // step, f"{count_subsplats(bench):.0f}",
+                         f"{coarsest['frame'] / t['frame']:.2f}", f"{paper[step] / paper[8]:.2f}",
+                         f"{t['indirect'] / coarsest['indirect']:.2f}",
+                         f"{100 * t['indirect'] / t['frame']:.0f} %"))  # fmt: skip
         bench.window.Finalize()
-    print("Table 1: frames a second over those of the first row of the same scene\n")
-    head = ("triangles", "resolution", "here", "paper", "indirect stages over the first row's")
-    table(head, rows)
+    print(f"Table 1: frames a second over those of the first row of the same scene, {size} x {size}\n")
+    table(("triangles", "resolution of indirect light", "subsplats", "here", "paper",
+           "indirect stages over the first row's", "their share of the frame"), rows)  # fmt: skip
 
-    figure_6(rounds, size)
-    figure_7(rounds, size)
 
+def figure_8(rounds: int, size: int) -> None:
+    """Frames a second by the number of lights and the finest subsplats' size."""
     bench, triangles = open_room(25, 89, size)
     bench.use(bench.splatting)()
+    bench.splatting.SetPresetToPaper()
     numbers = (100, 400, 900, 1600, 2500, 3600)
 
-    def choose(edge: int, number: int) -> Apply:
+    def choose(step: int, number: int) -> Apply:
         def apply() -> None:
-            bench.window.SetSize(edge, edge)
+            finest(bench.splatting, step)
             bench.set_lights(number)
 
         return apply
 
-    ways = {f"{e} {n}": choose(e, n) for e in edges for n in numbers}
+    ways = {f"{step} {n}": choose(step, n) for step in STEPS for n in numbers}
     times = bench.alternate(ways, max(1, rounds // 2))
-    first = times["128 100"]["frame"]
-    print("Figure 8: frames a second over those of 128 x 128 with 100 lights, "
-          f"{triangles} triangles")  # fmt: skip
+    first = times["8 100"]["frame"]
+    print(f"Figure 8: frames a second over those of {size // 8} x {size // 8} with 100 lights, "
+          f"{triangles} triangles, {size} x {size}")  # fmt: skip
     print("(the paper prints this as a plot without numbers)\n")
     table(
-        ("resolution", *map(str, numbers)),
-        ((e, *(f"{first / times[f'{e} {n}']['frame']:.3f}" for n in numbers)) for e in edges),
+        ("resolution of indirect light", *map(str, numbers)),
+        (
+            (size // step, *(f"{first / times[f'{step} {n}']['frame']:.3f}" for n in numbers))
+            for step in STEPS
+        ),
     )
     bench.window.Finalize()
 
@@ -443,14 +473,18 @@ def figure_7(rounds: int, size: int) -> None:
             bench.window.Render()
             first = times[f"{kind} 0.25 0.0"]
             t = times[way]
-            rows.append((words, threshold, detail, f"{first['frame'] / t['frame']:.2f}",
+            rows.append((words, threshold, detail, f"{count_subsplats(bench):.0f}",
+                         f"{first['frame'] / t['frame']:.2f}",
                          f"{(8 if threshold == 0.25 else 32) / 8:.0f}",
                          f"{first['indirect'] / t['indirect']:.2f}",
+                         f"{100 * t['evaluate'] / t['indirect']:.0f} %",
+                         f"{100 * t['evaluate'] / t['frame']:.0f} %",
                          f"{rmse(bench.irradiance(), expected):.1f} %"))  # fmt: skip
     bench.window.Finalize()
     print(f"Figure 7: frames a second over those of a threshold of 0.25, frog, {size} x {size}\n")
-    table(("refinement", "threshold of the normal", "surface detail", "here", "paper",
-           "indirect stages", "RMSE over the mean to the gather"), rows)  # fmt: skip
+    table(("refinement", "threshold of the normal", "surface detail", "subsplats", "here", "paper",
+           "indirect stages", "estimate and upsample, of the indirect stages", "of the frame",
+           "RMSE over the mean to the gather"), rows)  # fmt: skip
 
 
 def path(bench: Bench, moves: str, count: int = 8, step: float = 0.5) -> Iterable[None]:

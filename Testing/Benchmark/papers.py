@@ -18,6 +18,7 @@ import numpy as np
 from PIL import Image
 
 import plot
+import random_walk
 import vtkindirect
 from vtkindirect import frames, images, references
 from vtkindirect.frames import Job
@@ -35,10 +36,18 @@ def scene_of(name: str) -> Path:
 
 def render(
     name: str, method: str, buffer: str = "final", sampler: str | None = None,
-    size: tuple[int, int] = SIZE, **settings: Any,
+    size: tuple[int, int] = SIZE, specular: tuple[float, float] | None = None, **settings: Any,
 ) -> np.ndarray:  # fmt: skip
-    """Render a scene and return a buffer of three channels, top row first."""
+    """Render a scene and return a buffer of three channels, top row first.
+
+    `specular`: coefficient and power of Phong's model, for all that stands in front of ground and wall.
+    """
     scene = vtkindirect.load_scene(scene_of(name))
+    if specular is not None:
+        for part, actor in scene.actors.items():
+            if part not in ("ground", "wall"):
+                actor.GetProperty().SetSpecular(specular[0])
+                actor.GetProperty().SetSpecularPower(specular[1])
     window = frames.open_window(scene, size)
     frames.render(scene, window, Job(method, sampler, settings))
     found = images.copy_buffer(scene.renderer, buffer)
@@ -86,7 +95,7 @@ def draw(rows: list[list[Panel]], path: Path) -> None:
             axis.set_title(title, fontsize=8)
     figure.tight_layout(pad=0.4)
     drawn = io.BytesIO()
-    figure.savefig(drawn, dpi=100)
+    figure.savefig(drawn, dpi=100, bbox_inches="tight", pad_inches=0.05)
     pyplot.close(figure)
     # 256 colours take a third of the space.
     Image.open(drawn).convert("RGB").quantize(256).save(path, optimize=True)
@@ -113,6 +122,20 @@ def map_channels() -> list[list[Panel]]:
         highest = 1.0 if name == "normal" else float(values.max())
         found.append((title, (values - lowest) / (highest - lowest)))
     return [found]
+
+
+def phong() -> list[list[Panel]]:
+    """Figure 6: an object with Phong's model, indirect light that it reflects in its lobe, and all light."""
+    def one(buffer: str = "final", **settings: Any) -> np.ndarray:
+        return render("frog", "multiresolution", buffer, size=(480, 360), preset="paper",
+                      specular=(0.5, 25.0), **settings)  # fmt: skip
+
+    glossy = one("glossy")
+    return [[
+        ("direct light", one(IndirectScale=0.0)),
+        ("indirect light in the lobe, scaled", shown(glossy, float(np.percentile(glossy, 99.5)))),
+        ("direct and all indirect light", one()),
+    ]]  # fmt: skip
 
 
 def thresholds() -> list[list[Panel]]:
@@ -225,6 +248,23 @@ def hint_parameters() -> list[list[Panel]]:
 # Dachsbacher and Stamminger 2006, splatting -------------------------------------------------------
 
 
+def instant_radiosity() -> list[list[Panel]]:
+    """Figure 6: 1000 lights of a quasi-random walk, without and with a depth map each, and path tracing."""
+    scene = vtkindirect.load_scene(scene_of("cornell_box"))
+    truth = stored("cornell_box", "R3")
+    frames.open_window(scene, truth.shape[1::-1])
+    pictures, light = [], []
+    for name, visibility in (("nothing hides them", "none"), ("each with a depth map", "maps")):
+        values = random_walk.render(scene, visibility, lights=1000, bounces=16)
+        pictures.append((f"1000 lights, {name}", values[::-1] / 255.0))
+        values = images.copy_buffer(scene.renderer, "irradiance")[::-1, :, :3]
+        light.append((f"indirect light, {name}", values))
+    scene.render_window.Finalize()
+    taken = shown(np.maximum(light[0][1] - light[1][1], 0.0), float(light[0][1].max()))
+    pictures.append(("light that the depth maps take away", taken))
+    return [pictures, compare([*light, ("path traced, all bounces", truth)])]
+
+
 def occlusion() -> list[list[Panel]]:
     """Figure 13: 256 even lights as they are, and times their ambient occlusion."""
     rows = []
@@ -290,6 +330,7 @@ def bleeding() -> list[list[Panel]]:
 FIGURES: dict[str, Callable[[], list[list[Panel]]]] = {
     "multiresolution_1": subsplats,
     "multiresolution_2": map_channels,
+    "multiresolution_6": phong,
     "multiresolution_9": thresholds,
     "multiresolution_equation_1": form_factors,
     "hints_1_9": hint_scenes,
@@ -297,6 +338,7 @@ FIGURES: dict[str, Callable[[], list[list[Panel]]]] = {
     "hints_5_7": hint_depth,
     "hints_6": hint_extent,
     "hints_8": hint_parameters,
+    "splatting_6": instant_radiosity,
     "splatting_13": occlusion,
     "proxies_5": operators,
     "proxies_7_8": receivers,

@@ -452,28 +452,45 @@ def times() -> None:
             )
 
 
-def paper() -> None:
-    """Print ratios of figures 7 and 9: receivers, indirect light; 512 x 512, without groups."""
+PAPER_RECEIVERS = {
+    "all pixels": ({"receiver_step": 1}, 8),
+    "1/16, bilateral": ({"receiver_step": 4}, 66),
+    "1/16, bilinear": ({"receiver_step": 4, "upsampling": "bilinear"}, None),
+    "1/64, bilateral": ({"receiver_step": 8}, 99),
+    "1/64, bilinear": ({"receiver_step": 8, "upsampling": "bilinear"}, 171),
+}
+"""Settings of figure 7, and the paper's frames a second (GeForce 8800 GTX); one of them is illegible."""
+PAPER_BLEEDING = {"without light of spheres": ("off", 55), "with light of spheres": ("averaged", 41)}
+"""The light of figure 9, and the paper's frames a second."""
+
+
+def paper(size: int, frames: int) -> None:
+    """Print ratios of figures 7 and 9: receivers and upsampling, light of spheres; 60 spheres."""
     spheres = particles(60)
-    size = (512, 512)
-    common = {"groups": False, "influence_scale": 15, "indirect_influence_scale": 4}
+
+    def one(**settings: object) -> Moving:
+        return with_proxies(Moving(spheres, (size, size)), preset="paper", **settings)
+
     kinds = {
-        f"1/{step * step} of the pixels": with_proxies(
-            Moving(spheres, size), receiver_step=step, indirect_light="off", **common
-        )
-        for step in (1, 2, 4, 8)
+        f"Figure 7: {name}": one(indirect_light="off", **settings)
+        for name, (settings, _) in PAPER_RECEIVERS.items()
     }
-    kinds["1/16, averaged light"] = with_proxies(
-        Moving(spheres, size), receiver_step=4, indirect_light="averaged", **common
-    )
-    kinds["vtk"] = Moving(spheres, size)
-    found = in_turn(kinds)
-    print("| 60 spheres | added ms | rate over that of all pixels |\n|---|---:|---:|")
-    first = next(iter(found.values())) - found["vtk"]
-    for name, spent in found.items():
-        if name != "vtk":
+    kinds |= {f"Figure 9: {name}": one(indirect_light=light) for name, (light, _) in PAPER_BLEEDING.items()}
+    kinds["vtk"] = Moving(spheres, (size, size))
+    found = in_turn(kinds, frames)
+    print(f"60 spheres that move, {size} x {size}, preset paper; rates are over those of a figure's first row:")
+    print("of whole frames, and of what the method adds to plain VTK's frame "
+          f"({found['vtk']:.0f} ms of the processor).\n")  # fmt: skip
+    print("| what | frame, processor ms | rate of frames | of what is added | paper |\n|---|---:|---:|---:|---:|")
+    for figure, rates in (("Figure 7", PAPER_RECEIVERS), ("Figure 9", PAPER_BLEEDING)):
+        first: tuple[float, float] | None = None
+        for name, (_, rate) in rates.items():
+            spent = found[f"{figure}: {name}"]
             added = spent - found["vtk"]
-            print(f"| {name} | {added:.0f} | {first / added:.1f} |")
+            first = first or (spent, added)
+            published = rate and f"{rate / next(iter(rates.values()))[1]:.2f} ({rate} a second)"
+            print(f"| {figure}: {name} | {spent:.0f} | {first[0] / spent:.2f} | {first[1] / added:.2f} "
+                  f"| {published or ''} |")  # fmt: skip
 
 
 def numbers(plot: Path | None) -> None:
@@ -512,12 +529,14 @@ def main() -> int:
     """Print what the command line asks for."""
     parser = argparse.ArgumentParser(description="Light of the sky by spheres.")
     parser.add_argument("what", choices=("errors", "times", "paper", "numbers"))
-    parser.add_argument("--plot", type=Path)
+    parser.add_argument("--plot", type=Path, help="numbers: draw them, too")
+    parser.add_argument("--size", type=int, default=512, help="paper: edge of the window (default: 512)")
+    parser.add_argument("--frames", type=int, default=7, help="paper: frames of each kind (default: 7)")
     given = parser.parse_args()
     work: dict[str, Callable[[], None]] = {
         "errors": errors,
         "times": times,
-        "paper": paper,
+        "paper": lambda: paper(given.size, given.frames),
         "numbers": lambda: numbers(given.plot),
     }
     work[given.what]()

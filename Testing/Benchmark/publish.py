@@ -3,7 +3,7 @@
 
 REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints``, ``sky``
 and ``spheres`` are comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed, and
-``area.page`` is a whole page. With --only one comparison's page is written and no other.
+``area_sweep.page`` is a whole page. With --only one comparison's page is written and no other.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ evening sky that is warm at the horizon, and four scenes with a closed form. [De
 
 SPHERES = """
 Scenes under a sky that spheres can stand for: organs of a frog and a cortex, which get at most 256 spheres each, particles and the atoms of a protein.
-Rows proxies sum over spheres, the other rows look depth maps up; finer has 512 directions, the least number whose error is expected below 0.021. All
+Rows proxies sum over spheres, proxies-paper as in the [paper](../methods/sphere-proxies.md#the-papers-version); the other rows look depth maps up; finer has 512 directions, the least number whose error is expected below 0.021. All
 scenes stand still; in motion maps are drawn again and spheres are not: [sums over spheres](../methods/sphere-proxies.md#time) has times of moving
 spheres. [References](../reference.md) describe S1 and S3.
 """
@@ -465,8 +465,8 @@ def main() -> int:
     for name, page in PAGES.items():
         publish(reports / name, page, documentation)
     publish_tables(reports, documentation)
-    if (reports / "area.page").is_file():
-        shutil.copy(reports / "area.page", figures / "area.md")
+    if (reports / "area_sweep.page").is_file():
+        shutil.copy(reports / "area_sweep.page", figures / "area.md")
     return 0
 
 
