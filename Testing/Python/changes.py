@@ -914,6 +914,15 @@ def property_front_faces():
 
 
 @change
+def backface_property_added():
+    prop = make_actor(make_ball())
+    prop.GetProperty().FrontfaceCullingOn()  # so that the back is seen
+    back = vtkProperty()
+    back.SetColor(*BLUE)
+    return prop, lambda: prop.SetBackfaceProperty(back)
+
+
+@change
 def backface_property_removed():
     prop, _ = backface_property()
     prop.GetBackfaceProperty().SetColor(*BLUE)

@@ -4,8 +4,10 @@
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
 
+#include "vtkGlyph3DMapper.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRSMGatherPass.h"
@@ -388,6 +390,44 @@ VTK_INDIRECT_TEST(FlatUniforms)
       "many triangles, then few: " << builds[2] << ", " << builds[3] << ", " << builds[5]
                                    << " builds");
   }
+}
+
+//------------------------------------------------------------------------------
+VTK_INDIRECT_TEST(GlyphsArriveOverFrames)
+{
+  // Depth maps of a million triangles take seconds: a frame draws few of them, whether one mesh has
+  // the triangles or glyphs of a small one.
+  long long drawn[2] = {};
+  for (const int count : { 1, 2500 })
+  {
+    View view(64, 48);
+    AddRoomSurfaces(view.Renderer);
+    vtkNew<vtkSphereSource> ball;
+    ball->SetRadius(0.01);
+    ball->SetThetaResolution(20);
+    ball->SetPhiResolution(12);
+    vtkNew<vtkPoints> places;
+    for (int i = 0; i < count; ++i)
+    {
+      places->InsertNextPoint(0.3 + 0.008 * (i % 50), 0.3, 0.3 + 0.008 * (i / 50));
+    }
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(places);
+    vtkNew<vtkGlyph3DMapper> mapper;
+    mapper->SetInputData(data);
+    mapper->SetSourceConnection(ball->GetOutputPort());
+    vtkNew<vtkActor> glyphs;
+    glyphs->SetMapper(mapper);
+    view.Renderer->AddActor(glyphs);
+    vtkNew<vtkIndirectIlluminationPass> pass;
+    view.Renderer->SetPass(pass);
+    view.Window->Render();
+    drawn[count > 1] = static_cast<long long>(Report(pass).GetNumber("counters.tiles_drawn"));
+    const double left = Report(pass).GetNumber("counters.tiles_left");
+    CONTRACT_CHECK((left > 0.0) == (count > 1), count << " glyphs: maps left " << left);
+  }
+  CONTRACT_CHECK(drawn[1] > 0 && drawn[1] < drawn[0],
+    "maps in the first frame, of one glyph and of 2500: " << drawn[0] << ", " << drawn[1]);
 }
 
 //------------------------------------------------------------------------------

@@ -144,6 +144,17 @@ struct vtkSurfaceCapturePass::Internals
     return changed;
   }
 
+  std::vector<vtkProp*> WithBackface; // props to be compared only
+
+  // Returns true if other props have a backface property than in the last frame: VTK does not build
+  // the shaders of a prop anew when it gets one.
+  bool UpdateBackfaces(const vtkIndirectFrame& frame)
+  {
+    const bool changed = frame.WithBackface != this->WithBackface;
+    this->WithBackface = frame.WithBackface;
+    return changed;
+  }
+
   // The camera for which a program's lighting uniforms were last set.
   std::unordered_map<vtkShaderProgram*, vtkCamera*> ProgramCameras;
   vtkLightCollection* LightsInUse = nullptr; // to be compared only
@@ -206,6 +217,7 @@ void vtkSurfaceCapturePass::Attach(const vtkIndirectFrame& frame)
   this->Detach();
   bool changed = this->Internal->LightConstants.Update(frame, this->Written.Shadows);
   changed = this->Internal->UpdateFlatUniforms(frame) || changed;
+  changed = this->Internal->UpdateBackfaces(frame) || changed;
   if (changed)
   {
     this->SourceTime.Modified();

@@ -207,6 +207,10 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
   this->Specular = this->Specular || (kind.Captured && kind.Specular);
   this->PhysicallyBased = this->PhysicallyBased || (kind.Captured && kind.PhysicallyBased);
   (kind.Captured ? this->Captured : this->ColorOnly).push_back(prop);
+  if (kind.HasBackface)
+  {
+    this->WithBackface.push_back(prop);
+  }
   if (!prop->GetUseBounds())
   {
     this->NumberOfOtherReceivers += kind.Captured && kind.Lit ? 1 : 0;

@@ -98,9 +98,10 @@ struct vtkIndirectFrame
   glm::dvec3 SceneCenter{ 0.0 }; // world
   double SceneScale = 1.0;       // scene units per world unit
 
-  std::vector<vtkProp*> Props;     // all visible props
-  std::vector<vtkProp*> Captured;  // opaque props whose surfaces the capture gets
-  std::vector<vtkProp*> ColorOnly; // other opaque props: they have a colour, but no surface
+  std::vector<vtkProp*> Props;        // all visible props
+  std::vector<vtkProp*> Captured;     // opaque props whose surfaces the capture gets
+  std::vector<vtkProp*> ColorOnly;    // other opaque props: they have a colour, but no surface
+  std::vector<vtkProp*> WithBackface; // opaque props with a backface property
   bool Specular = false;          // true if a lit opaque prop reflects specularly, by Phong's model
   bool PhysicallyBased = false;   // true if VTK's PBR lights an opaque prop, which thus reflects by
                                   // its lobe

@@ -7,6 +7,8 @@
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
+#include "vtkDataObjectTree.h"
+#include "vtkDataSet.h"
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkInformation.h"
@@ -104,6 +106,27 @@ double CountTriangles(vtkPolyData* data)
     triangles += static_cast<double>(cells->GetNumberOfConnectivityIds());
   }
   return triangles;
+}
+
+// Counts the triangles of glyphs, as if each point had one of the mean number of triangles.
+double CountTriangles(vtkGlyph3DMapper* mapper)
+{
+  double points = 0.0;
+  vtkIndirectActors::ForEachBlock<vtkDataSet>(mapper->GetInputDataObject(0, 0),
+    [&points](vtkDataSet* data) { points += static_cast<double>(data->GetNumberOfPoints()); });
+  double triangles = 0.0;
+  double sources = 0.0;
+  const auto add = [&](vtkPolyData* source)
+  {
+    triangles += CountTriangles(source);
+    sources += 1.0;
+  };
+  vtkIndirectActors::ForEachBlock<vtkPolyData>(mapper->GetSourceTableTree(), add);
+  for (int i = 0; i < mapper->GetNumberOfInputConnections(1); ++i)
+  {
+    vtkIndirectActors::ForEachBlock<vtkPolyData>(mapper->GetInputDataObject(1, i), add);
+  }
+  return sources > 0.0 ? points * triangles / sources : points;
 }
 
 // Returns the triangles that a depth map costs. Maps draw dense meshes in parts and by coarse
@@ -313,14 +336,17 @@ vtkIndirectPropKind vtkIndirectPropKind::Find(vtkProp* prop)
     }
     actor->GetBounds(); // the call brings the mapper's data up to date
     vtkPolyData* drawn = FindDrawn(actor->GetMapper());
-    // The guess is the number of a few glyphs, or of one sheet of impostors.
-    const double triangles = drawn ? CountTriangles(drawn) : 20000.0;
+    auto* glyphs = vtkGlyph3DMapper::SafeDownCast(actor->GetMapper());
+    // The guess is the number of one sheet of impostors.
+    const double guess = glyphs ? CountTriangles(glyphs) : 20000.0;
+    const double triangles = drawn ? CountTriangles(drawn) : guess;
     kind.DepthTriangles +=
       drawn && actor == whole && !actor->GetTexture() ? FindDepthTriangles(triangles) : triangles;
     kind.Specular =
       kind.Specular || IsSpecular(actor->GetProperty()) || IsSpecular(actor->GetBackfaceProperty());
     kind.PhysicallyBased = kind.PhysicallyBased || IsPhysicallyBased(actor->GetProperty()) ||
       IsPhysicallyBased(actor->GetBackfaceProperty());
+    kind.HasBackface = kind.HasBackface || actor->GetBackfaceProperty();
     kind.Lit = kind.Lit || !IsUnlit(actor->GetProperty(), drawn);
     const char* why = FindNoSurface(actor, drawn);
     kind.Surface = kind.Surface || !why;

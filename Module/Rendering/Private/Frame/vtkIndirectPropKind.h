@@ -30,6 +30,8 @@ struct vtkIndirectPropKind
   bool Specular = false;
   /** It is true if VTK's PBR lights a part of it, which reflects specularly in any case. */
   bool PhysicallyBased = false;
+  /** It is true if a part of it has a backface property. */
+  bool HasBackface = false;
   /** It is true if it is drawn with alpha one everywhere, so that nothing shines through. */
   bool CoversFully = false;
   /** Approximate number of its triangles; 1e9 if its mapper alone knows. */
