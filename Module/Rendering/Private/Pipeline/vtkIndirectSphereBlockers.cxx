@@ -5,9 +5,9 @@
 
 //------------------------------------------------------------------------------
 const vtkIndirectBlockingSpheres* vtkIndirectSphereBlockers::Update(
-  const vtkIndirectFrame& frame, vtkObject* caller)
+  const vtkIndirectFrame& frame, vtkObject* caller, bool withSplats)
 {
-  if (!this->Scene.Update(frame, {}, caller))
+  if (!this->Scene.Update(frame, {}, caller, withSplats))
   {
     return &this->Result;
   }

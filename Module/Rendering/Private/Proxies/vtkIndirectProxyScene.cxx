@@ -103,7 +103,7 @@ struct vtkIndirectProxyScene::Part
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxyScene::Update(
-  const vtkIndirectFrame& frame, const Given& given, vtkObject* caller)
+  const vtkIndirectFrame& frame, const Given& given, vtkObject* caller, bool withSplats)
 {
   struct Drawn
   {
@@ -119,7 +119,7 @@ bool vtkIndirectProxyScene::Update(
   // Splats have no surface and are no casters, but some of them look like spheres.
   for (vtkProp* prop : frame.Props)
   {
-    if (HasSplats(prop) &&
+    if (withSplats && HasSplats(prop) &&
       vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows()) &&
       std::none_of(frame.Casters.begin(), frame.Casters.end(),
         [prop](const vtkIndirectCaster& caster) { return caster.Prop == prop; }))

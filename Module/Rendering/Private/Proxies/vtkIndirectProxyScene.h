@@ -40,9 +40,11 @@ public:
 
   /**
    * Collects the casters of a frame, in scene units. Returns true if anything may have changed
-   * since the last call. caller: reports negative or infinite radii.
+   * since the last call. caller: reports negative or infinite radii. withSplats: collects splats
+   * that look like spheres, too.
    */
-  bool Update(const vtkIndirectFrame& frame, const Given& given, vtkObject* caller);
+  bool Update(
+    const vtkIndirectFrame& frame, const Given& given, vtkObject* caller, bool withSplats = true);
 
   const std::vector<vtkIndirectProxySphere>& GetSpheres() const { return this->Spheres; }
   /** Returns true if a sphere contains the position, in scene units. */
