@@ -88,7 +88,7 @@ public:
   ///@{
   /**
    * Number of grids: 1, or 2 for a second, finer one around the camera's focal point that fades
-   * into the first over its outermost two cells. Default 1.
+   * into the first over its outermost two cells, except where both grids end. Default 1.
    */
   vtkIndirectClampMacro(NumberOfGrids, int, 1, 2);
   ///@}

@@ -3,6 +3,7 @@
 // data that a mapper draws.
 #pragma once
 
+#include "vtkAlgorithm.h"             // for ports
 #include "vtkCompositeDataIterator.h" // for blocks
 #include "vtkCompositeDataSet.h"      // for blocks
 #include "vtkSmartPointer.h"          // for blocks
@@ -10,7 +11,6 @@
 #include <functional> // for calls
 
 class vtkActor;
-class vtkAlgorithm;
 class vtkMatrix4x4;
 class vtkProp;
 
@@ -49,6 +49,19 @@ void ForEachBlock(vtkDataObject* object, const Call& call)
   for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
   {
     take(it->GetCurrentDataObject());
+  }
+}
+
+/**
+ * Calls the function for such data and blocks of all connections of a port. Port 1 of a
+ * vtkGlyph3DMapper has all of its sources, a table of sources too.
+ */
+template <typename Data, typename Call>
+void ForEachBlockOfPort(vtkAlgorithm* algorithm, int port, const Call& call)
+{
+  for (int i = 0; i < algorithm->GetNumberOfInputConnections(port); ++i)
+  {
+    ForEachBlock<Data>(algorithm->GetInputDataObject(port, i), call);
   }
 }
 }

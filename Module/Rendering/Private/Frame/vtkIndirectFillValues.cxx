@@ -5,7 +5,6 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "vtkActor.h"
 #include "vtkBoundingBox.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkGraph.h"
@@ -40,18 +39,14 @@ double FindReach(vtkMapper* mapper)
   double reach = 0.0;
   if (auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper))
   {
-    const auto take = [&reach](vtkDataSet* source)
-    {
-      const double* b = source->GetBounds();
-      const glm::dvec3 most(std::max(std::abs(b[0]), std::abs(b[1])),
-        std::max(std::abs(b[2]), std::abs(b[3])), std::max(std::abs(b[4]), std::abs(b[5])));
-      reach = source->GetNumberOfPoints() > 0 ? std::max(reach, glm::length(most)) : reach;
-    };
-    vtkIndirectActors::ForEachBlock<vtkDataSet>(glyphs->GetSourceTableTree(), take);
-    for (int i = 0; i < glyphs->GetNumberOfInputConnections(1); ++i)
-    {
-      vtkIndirectActors::ForEachBlock<vtkDataSet>(glyphs->GetInputDataObject(1, i), take);
-    }
+    vtkIndirectActors::ForEachBlockOfPort<vtkDataSet>(glyphs, 1,
+      [&reach](vtkDataSet* source)
+      {
+        const double* b = source->GetBounds();
+        const glm::dvec3 most(std::max(std::abs(b[0]), std::abs(b[1])),
+          std::max(std::abs(b[2]), std::abs(b[3])), std::max(std::abs(b[4]), std::abs(b[5])));
+        reach = source->GetNumberOfPoints() > 0 ? std::max(reach, glm::length(most)) : reach;
+      });
     // An array of sizes has fill values, too: sizes in data count as one.
     reach *= glyphs->GetScaling() ? std::abs(glyphs->GetScaleFactor()) : 1.0;
   }

@@ -7,7 +7,6 @@
 #include "vtkActor.h"
 #include "vtkAssembly.h"
 #include "vtkCellArray.h"
-#include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
@@ -112,20 +111,16 @@ double CountTriangles(vtkPolyData* data)
 double CountTriangles(vtkGlyph3DMapper* mapper)
 {
   double points = 0.0;
-  vtkIndirectActors::ForEachBlock<vtkDataSet>(mapper->GetInputDataObject(0, 0),
+  vtkIndirectActors::ForEachBlockOfPort<vtkDataSet>(mapper, 0,
     [&points](vtkDataSet* data) { points += static_cast<double>(data->GetNumberOfPoints()); });
   double triangles = 0.0;
   double sources = 0.0;
-  const auto add = [&](vtkPolyData* source)
-  {
-    triangles += CountTriangles(source);
-    sources += 1.0;
-  };
-  vtkIndirectActors::ForEachBlock<vtkPolyData>(mapper->GetSourceTableTree(), add);
-  for (int i = 0; i < mapper->GetNumberOfInputConnections(1); ++i)
-  {
-    vtkIndirectActors::ForEachBlock<vtkPolyData>(mapper->GetInputDataObject(1, i), add);
-  }
+  vtkIndirectActors::ForEachBlockOfPort<vtkPolyData>(mapper, 1,
+    [&](vtkPolyData* source)
+    {
+      triangles += CountTriangles(source);
+      sources += 1.0;
+    });
   return sources > 0.0 ? points * triangles / sources : points;
 }
 
