@@ -59,6 +59,17 @@ struct ToleranceFrame : RandomFrame
     return image;
   }
 };
+
+// Returns the sum of all texels, and lets splatting differ from it by the choice of lights alone.
+Image SumAllTexels(ToleranceFrame& scene)
+{
+  scene.Pass->SetEstimator(scene.Gather);
+  scene.Gather->SetModeToAllTexels();
+  scene.Render();
+  scene.Splatting->SetPlaneThreshold(0.0);
+  SET_DETAIL(scene.Splatting, HalfFloats, false);
+  return scene.Copy("irradiance");
+}
 }
 
 VTK_INDIRECT_TEST(ToleranceInterpolation)
@@ -111,13 +122,7 @@ VTK_INDIRECT_TEST(ToleranceLights)
   {
     ToleranceFrame scene(
       number, { 96, 72 }, static_cast<FrameLight>(number % NumberOfFrameLights), 48);
-    scene.Pass->SetEstimator(scene.Gather);
-    scene.Gather->SetModeToAllTexels();
-    scene.Render();
-    const Image all = scene.Copy("irradiance");
-    // Only the choice of lights differs.
-    scene.Splatting->SetPlaneThreshold(0.0);
-    SET_DETAIL(scene.Splatting, HalfFloats, false);
+    const Image all = SumAllTexels(scene);
     const double measured = FindRelativeError(scene.SplatWithin(0.02), all, scene.Normal);
     const double estimated = scene.ReadReport("estimated_error");
     const std::string what = scene.Name + ": ";
@@ -160,12 +165,7 @@ VTK_INDIRECT_TEST(ToleranceOfOtherLights)
     ToleranceFrame scene(
       number, { 96, 72 }, static_cast<FrameLight>(number % NumberOfFrameLights), 48);
     const std::string what = scene.Name + ", ";
-    scene.Pass->SetEstimator(scene.Gather);
-    scene.Gather->SetModeToAllTexels();
-    scene.Render();
-    const Image all = scene.Copy("irradiance");
-    scene.Splatting->SetPlaneThreshold(0.0);
-    SET_DETAIL(scene.Splatting, HalfFloats, false);
+    const Image all = SumAllTexels(scene);
     auto isGood = [&](const std::string& lights)
     {
       const Image image = scene.SplatWithin(0.02);

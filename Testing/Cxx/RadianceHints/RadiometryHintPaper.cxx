@@ -366,6 +366,31 @@ double FindDifference(const vtkIndirectHintSum::Hint& hint, const Field& expecte
   }
   return std::sqrt(difference / size);
 }
+
+// The fields of all hints of order 2 with one bounce more than the fields before, none for the
+// first bounce, and their differences to the pass's.
+struct Expected
+{
+  std::vector<Field> Fields;
+  std::vector<double> Differences; // see FindDifference
+  int Ambiguous = 0;               // hints with a sample on a border, which have no difference
+
+  Expected(const PaperRoom& scene, const std::vector<vtkIndirectHintSum::Hint>& hints,
+    const std::vector<Field>& before)
+  {
+    for (int i = 0; i < static_cast<int>(hints.size()); ++i)
+    {
+      bool unclear = false;
+      this->Fields.push_back(before.empty() ? scene.Inject(hints[i], i, true)
+                                            : scene.Exchange(hints, before, before, i, 2, unclear));
+      this->Ambiguous += unclear;
+      if (!unclear)
+      {
+        this->Differences.push_back(FindDifference(hints[i], this->Fields.back(), 2));
+      }
+    }
+  }
+};
 }
 
 VTK_INDIRECT_TEST(HintsPaperEquations)
@@ -382,8 +407,7 @@ VTK_INDIRECT_TEST(HintsPaperEquations)
     {
       scene.Pass->SetNumberOfBounces(bounces);
       scene.Render();
-      const std::vector<vtkIndirectHintSum::Hint> hints =
-        static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
+      const std::vector<vtkIndirectHintSum::Hint> hints = scene.ReadHints();
       CheckEqual(what + "hints", hints.size(), Grid[0] * Grid[1] * Grid[2]);
       std::vector<double> differences;
       std::vector<double> plain;
@@ -455,25 +479,12 @@ VTK_INDIRECT_TEST(HintsPaperOptions)
   {
     scene.Pass->SetNumberOfBounces(bounces);
     scene.Render();
-    const std::vector<vtkIndirectHintSum::Hint> hints =
-      static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
-    const std::vector<Field> before = fields;
-    fields.clear();
-    std::vector<double> differences;
-    for (size_t i = 0; i < hints.size(); ++i)
-    {
-      const int number = static_cast<int>(i);
-      bool unclear = false;
-      fields.push_back(bounces == 1 ? scene.Inject(hints[i], number, true)
-                                    : scene.Exchange(hints, before, before, number, 2, unclear));
-      if (!unclear)
-      {
-        differences.push_back(FindDifference(hints[i], fields[i], 2));
-      }
-    }
+    const std::vector<vtkIndirectHintSum::Hint> hints = scene.ReadHints();
+    Expected expected(scene, hints, fields);
+    fields = expected.Fields;
     const std::string which = std::to_string(bounces) + " bounces: ";
-    CheckAtMost(which + "worst field, difference over its size", Percentile(differences, 1.0), 1e-5,
-      "as in HintsPaperEquations");
+    CheckAtMost(which + "worst field, difference over its size",
+      Percentile(expected.Differences, 1.0), 1e-5, "as in HintsPaperEquations");
   }
   const Image image = scene.Copy("irradiance");
   const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
@@ -483,11 +494,11 @@ VTK_INDIRECT_TEST(HintsPaperOptions)
   {
     const glm::dvec3 shown(image.Values[3 * i], image.Values[3 * i + 1], image.Values[3 * i + 2]);
     scene.Rotation = true;
-    const glm::dvec3 expected = scene.LookUp(fields, receivers[i], 2);
-    worst = std::max(worst, glm::length(shown - expected) / glm::length(expected));
+    const glm::dvec3 wanted = scene.LookUp(fields, receivers[i], 2);
+    worst = std::max(worst, glm::length(shown - wanted) / glm::length(wanted));
     scene.Rotation = false;
     const glm::dvec3 still = scene.LookUp(fields, receivers[i], 2);
-    turned = std::max(turned, glm::length(still - expected) / glm::length(expected));
+    turned = std::max(turned, glm::length(still - wanted) / glm::length(wanted));
   }
   CheckAtMost(
     "worst pixel, difference over its irradiance", worst, 1e-5, "as in HintsPaperEquations");
@@ -497,8 +508,8 @@ VTK_INDIRECT_TEST(HintsPaperOptions)
 VTK_INDIRECT_TEST(HintsPaperGrids)
 {
   // Two grids against the same equations: hints of the finer one place their samples in their own
-  // cells and get later bounces from their own grid, and look-ups blend the two. A box stands in
-  // the finer grid, which has no share at the room's walls.
+  // cells and get later bounces from their own grid, and look-ups blend the two where the finer
+  // grid ends within the room. A box stands in the finer grid.
   constexpr int hintsOfGrid = Grid[0] * Grid[1] * Grid[2];
   constexpr double extent = 0.5;
   const glm::dvec3 focus(2.3, 2.0, 0.5);
@@ -526,14 +537,11 @@ VTK_INDIRECT_TEST(HintsPaperGrids)
   {
     scene.Pass->SetNumberOfBounces(bounces);
     scene.Render();
-    const std::vector<vtkIndirectHintSum::Hint> hints =
-      static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
+    const std::vector<vtkIndirectHintSum::Hint> hints = scene.ReadHints();
     CheckEqual("hints", hints.size(), 2 * hintsOfGrid);
-    const std::vector<Field> before = fields;
-    fields.clear();
-    std::vector<double> differences;
+    Expected expected(scene, hints, fields);
+    fields = expected.Fields;
     double moved = 0.0;
-    int ambiguous = 0;
     for (int i = 0; i < static_cast<int>(hints.size()); ++i)
     {
       const GridPlace& grid = scene.GetGridOf(i);
@@ -543,21 +551,13 @@ VTK_INDIRECT_TEST(HintsPaperGrids)
           (glm::dvec3(inGrid % Grid[0], inGrid / Grid[0] % Grid[1], inGrid / (Grid[0] * Grid[1])) +
             0.5);
       moved = std::max(moved, glm::length(scene.GetPlace(hints[i]) - place));
-      bool unclear = false;
-      fields.push_back(bounces == 1 ? scene.Inject(hints[i], i, true)
-                                    : scene.Exchange(hints, before, before, i, 2, unclear));
-      ambiguous += unclear;
-      if (!unclear)
-      {
-        differences.push_back(FindDifference(hints[i], fields[i], 2));
-      }
     }
     const std::string which = std::to_string(bounces) + " bounces: ";
     CheckAtMost(which + "places of hints, in scene units", moved, 1e-6, "2^-24 of the room's 5");
-    CheckAtMost(which + "hints with a sample on a border", ambiguous, 4,
+    CheckAtMost(which + "hints with a sample on a border", expected.Ambiguous, 4,
       "as in HintsPaperEquations, for twice the hints");
-    CheckAtMost(which + "worst field, difference over its size", Percentile(differences, 1.0), 1e-5,
-      "as in HintsPaperEquations");
+    CheckAtMost(which + "worst field, difference over its size",
+      Percentile(expected.Differences, 1.0), 1e-5, "as in HintsPaperEquations");
 
     const Image image = scene.Copy("irradiance");
     const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
@@ -567,14 +567,14 @@ VTK_INDIRECT_TEST(HintsPaperGrids)
     for (size_t i = 0; i < receivers.size(); ++i)
     {
       const glm::dvec3 shown(image.Values[3 * i], image.Values[3 * i + 1], image.Values[3 * i + 2]);
-      const glm::dvec3 expected = scene.LookUp(fields, receivers[i], 2);
-      worst = std::max(
-        worst, glm::length(shown - expected) / (glm::length(expected) + 0.01 * image.Mean()));
+      const glm::dvec3 wanted = scene.LookUp(fields, receivers[i], 2);
+      worst =
+        std::max(worst, glm::length(shown - wanted) / (glm::length(wanted) + 0.01 * image.Mean()));
       ++pixels[scene.FindFineShare(receivers[i].Position) > 0.0];
       scene.Grids.pop_back();
       const glm::dvec3 coarse = scene.LookUp(fields, receivers[i], 2);
       scene.Grids.push_back(finer);
-      effect = std::max(effect, glm::length(coarse - expected) / image.Mean());
+      effect = std::max(effect, glm::length(coarse - wanted) / image.Mean());
     }
     CheckAtLeast(which + "pixels of the coarser grid", pixels[0], 100, "the test's own power");
     CheckAtLeast(which + "pixels where the finer one fades", pixels[1], 100, "as above");
@@ -596,8 +596,7 @@ VTK_INDIRECT_TEST(HintsPaperDepth)
   scene.Pass->SetNumberOfBounces(1);
   scene.Hints->DepthOcclusionOn();
   scene.Render();
-  const std::vector<vtkIndirectHintSum::Hint> hints =
-    static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
+  const std::vector<vtkIndirectHintSum::Hint> hints = scene.ReadHints();
   std::vector<double> differences;
   std::vector<double> effect;
   for (size_t i = 0; i < hints.size(); ++i)
@@ -646,8 +645,7 @@ VTK_INDIRECT_TEST(HintsPaperCoverage)
   {
     scene.Hints->SetMapCoverage(coverage);
     scene.Render();
-    const std::vector<vtkIndirectHintSum::Hint> hints =
-      static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints();
+    const std::vector<vtkIndirectHintSum::Hint> hints = scene.ReadHints();
     CheckEqual("hints", hints.size(), 18);
     double worst = 0.0;
     for (size_t i = 0; i < hints.size(); ++i)

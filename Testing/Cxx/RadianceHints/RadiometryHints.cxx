@@ -210,8 +210,7 @@ VTK_INDIRECT_TEST(HintsField)
     scene.Render();
     double worst = 0.0;
     int compared = 0;
-    for (const auto& hint :
-      static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(scene.Hints)).ReadHints())
+    for (const auto& hint : scene.ReadHints())
     {
       const glm::dvec3 position =
         glm::dvec3(hint.Position[0], hint.Position[1], hint.Position[2]) * diagonal +

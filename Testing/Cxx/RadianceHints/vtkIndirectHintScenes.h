@@ -3,6 +3,7 @@
 #ifndef vtkIndirectHintScenes_h
 #define vtkIndirectHintScenes_h
 
+#include "RadianceHints/vtkIndirectHintSum.h" // for hints
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkRadianceHintsPass.h"
@@ -22,6 +23,10 @@ struct HintScene : Scene
   ~HintScene() { this->Pass->SetEstimator(nullptr); }
 
   void SetGrid(int n) { this->Hints->SetGridResolution(n, n, n); }
+  std::vector<vtkIndirectHintSum::Hint> ReadHints()
+  {
+    return static_cast<vtkIndirectHintSum&>(vtkIndirectSum::Get(this->Hints)).ReadHints();
+  }
 };
 
 // Two rooms along x with a thin wall between them, the first lit by a light. The wall may have a
