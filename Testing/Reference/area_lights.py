@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 import description
-from shading import SCALAR
 
 import drjit as dr  # isort: skip  needs the variant that shading chooses
 import mitsuba as mi  # isort: skip
@@ -38,17 +37,12 @@ class Rectangle:
         brightness = self.image.mean(axis=-1)
         self.mean = float(brightness.mean())
         self.pixels = mi.DiscreteDistribution(brightness.ravel())
-        if not SCALAR:
-            self.table = mi.Float(self.image.astype(np.float32).ravel())
+        self.table = mi.Float(self.image.astype(np.float32).ravel())
 
     def radiance(self, u: Any, v: Any) -> Any:
         """Return the radiance at a place of 0 to 1: of the pixel that it lies in."""
         if self.rows * self.columns == 1:
             return mi.Color3f(*self.image[0, 0].tolist())
-        if SCALAR:
-            row = min(int(v * self.rows), self.rows - 1)
-            column = min(int(u * self.columns), self.columns - 1)
-            return mi.Color3f(*self.image[row, column].tolist())
         row = dr.minimum(mi.UInt32(v * self.rows), self.rows - 1)
         column = dr.minimum(mi.UInt32(u * self.columns), self.columns - 1)
         return dr.gather(mi.Color3f, self.table, row * self.columns + column)

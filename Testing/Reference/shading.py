@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The Mitsuba scene of a description, and how VTK shades a point of it.
 
-Needs the environment that make_environment makes; importing it chooses Mitsuba's variant.
+Needs the environment that make_environment makes; importing it sets Mitsuba's variant.
 
 Side and shading are VTK's: the winding of a triangle decides which side a ray sees, the vertices'
 normal is turned to that side, and light counts by its cosine to that normal when it comes from that
@@ -10,10 +10,7 @@ side of the triangle. A surface that is lit from behind is dark.
 
 from __future__ import annotations
 
-import ctypes.util
 import math
-import os
-import sys
 from typing import Any
 
 import mitsuba as mi
@@ -21,30 +18,10 @@ import numpy as np
 
 import description
 
-
-def _choose_variant() -> str:
-    """Take the vectorising variant, or the scalar one with a note when there is no LLVM."""
-    forced = os.environ.get("VTKINDIRECT_MITSUBA_VARIANT")
-    if forced:
-        return forced
-    known = ["LLVM-19", "LLVM-20", "LLVM-18", "LLVM-17", "LLVM"]
-    if os.environ.get("DRJIT_LIBLLVM_PATH") or any(map(ctypes.util.find_library, known)):
-        return "llvm_ad_rgb"
-    print(
-        "note: no LLVM was found, so the slow variant scalar_rgb is used; "
-        "on Debian: apt-get install libllvm19",
-        file=sys.stderr,
-        flush=True,
-    )
-    return "scalar_rgb"
-
-
-VARIANT = _choose_variant()
+VARIANT = "llvm_ad_rgb"
 mi.set_variant(VARIANT)
-SCALAR = VARIANT.startswith("scalar")
 
 import drjit as dr  # noqa: E402  needs the variant
-
 
 # The scene ----------------------------------------------------------------------------------------
 
@@ -69,7 +46,7 @@ class VTKLight(mi.Emitter):
     def sample_direction(self, reference: Any, _sample: Any, active: Any = True) -> tuple[Any, Any]:
         offset = mi.Point3f(self.position) - reference.p
         distance = dr.norm(offset)
-        sample = mi.DirectionSample3f() if SCALAR else dr.zeros(mi.DirectionSample3f)
+        sample = dr.zeros(mi.DirectionSample3f)
         sample.p = mi.Point3f(self.position)
         sample.dist = distance
         sample.d = offset / distance
@@ -293,8 +270,8 @@ def direct(
     With `power` instead what VTK's specular term of coefficient one shows the viewer, who is at
     `back`: the sum of I max(r.v, 0)^power over the lights that the surface faces, without a cosine.
     """
-    total = mi.Color3f(0.0) if SCALAR else dr.zeros(mi.Color3f, dr.width(point))
-    reference = mi.Interaction3f() if SCALAR else dr.zeros(mi.Interaction3f)
+    total = dr.zeros(mi.Color3f, dr.width(point))
+    reference = dr.zeros(mi.Interaction3f)
     reference.p = point
     reference.n = facet
     origin = ray_origin(point, facet, back)
@@ -319,10 +296,6 @@ def first_hit(scene: mi.Scene, ray: mi.Ray3f) -> dict[str, Any]:
     """Return what rays from the eye meet: receivers, and their albedo and direct irradiance."""
     hit = scene.ray_intersect(ray)
     valid = hit.is_valid()
-    if SCALAR and not valid:
-        zero = [0.0, 0.0, 0.0]
-        names = ("point", "back", "facet", "normal", "albedo", "direct")
-        return {"valid": False, **{name: zero for name in names}}
     facet, normal, there = sides(hit, ray.d)
     valid &= there
     return {

@@ -13,7 +13,6 @@ from typing import Any
 import numpy as np
 
 import description
-from shading import SCALAR
 
 import drjit as dr  # isort: skip  needs the variant that shading chooses
 import mitsuba as mi  # isort: skip
@@ -31,13 +30,12 @@ class Sky:
             for axis in (environment.right, environment.up, environment.back)
         ]
         # Sines of the latitudes between rows: the height over the horizon on the unit sphere.
-        self.heights = np.sin(np.pi * (np.arange(self.rows + 1) / self.rows - 0.5))
+        heights = np.sin(np.pi * (np.arange(self.rows + 1) / self.rows - 0.5))
         light = self.image.mean(axis=-1) * environment.solid_angles()[:, None]
         self.total = float(light.sum())
         self.pixels = mi.DiscreteDistribution(light.ravel()) if self.total > 0.0 else None
-        if not SCALAR:
-            self.table = mi.Float(self.image.astype(np.float32).ravel())
-            self.height_table = mi.Float(self.heights.astype(np.float32))
+        self.table = mi.Float(self.image.astype(np.float32).ravel())
+        self.height_table = mi.Float(heights.astype(np.float32))
 
     def radiance(self, direction: Any) -> Any:
         """Return the radiance from a unit direction in world coordinates: of the nearest pixel."""
@@ -46,10 +44,6 @@ class Sky:
         x, y, z = (dr.dot(mi.Vector3f(axis), direction) for axis in self.axes)
         across = dr.atan2(x, -z) * (0.5 * dr.inv_pi) + 0.5
         upward = dr.asin(dr.clip(y, -1.0, 1.0)) * dr.inv_pi + 0.5
-        if SCALAR:
-            row = min(int(upward * self.rows), self.rows - 1)
-            column = min(int(across * self.columns), self.columns - 1)
-            return mi.Color3f(*self.image[row, column].tolist())
         row = dr.minimum(mi.UInt32(upward * self.rows), self.rows - 1)
         column = dr.minimum(mi.UInt32(across * self.columns), self.columns - 1)
         return dr.gather(mi.Color3f, self.table, row * self.columns + column)
@@ -61,11 +55,8 @@ class Sky:
         index, rest = self.pixels.sample_reuse(numbers.x)
         row = index // self.columns
         longitude = 2.0 * math.pi * ((index - row * self.columns + rest) / self.columns - 0.5)
-        if SCALAR:
-            below, above = self.heights[row : row + 2].tolist()
-        else:
-            below = dr.gather(mi.Float, self.height_table, row)
-            above = dr.gather(mi.Float, self.height_table, row + 1)
+        below = dr.gather(mi.Float, self.height_table, row)
+        above = dr.gather(mi.Float, self.height_table, row + 1)
         y = below + numbers.y * (above - below)
         flat = dr.sqrt(dr.maximum(1.0 - y * y, 0.0))
         right, up, back = (mi.Vector3f(axis) for axis in self.axes)

@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 from collections.abc import Callable
+from ctypes.util import find_library
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,9 @@ SCENES = HERE.parent / "Scenes"
 
 # The exit code that CTest takes for a test that could not run.
 SKIPPED = 125
+
+# Older versions of LLVM load, and then compile one kernel for many minutes, or abort.
+LLVM = ("LLVM-19", "LLVM-20", "LLVM-21")
 
 
 class ToolError(Exception):
@@ -34,6 +38,11 @@ def tracer_python() -> Path:
         raise ToolError(
             f"{path}: there is no path tracer; run Testing/Reference/make_environment, "
             "or set VTKINDIRECT_REFERENCE_PYTHON"
+        )
+    if not os.environ.get("DRJIT_LIBLLVM_PATH") and not any(map(find_library, LLVM)):
+        raise ToolError(
+            "the path tracer needs LLVM 19 and there is none; on Debian: apt-get install libllvm19, "
+            "elsewhere DRJIT_LIBLLVM_PATH names a libLLVM.so"
         )
     return path
 

@@ -25,7 +25,6 @@ import numpy as np
 import description
 from area_lights import Rectangle
 from shading import (
-    SCALAR,
     VARIANT,
     albedo_at,
     direct,
@@ -69,8 +68,7 @@ Estimator = Callable[[World, dict[str, Any], mi.Sampler, int], Iterator[tuple[An
 
 def _numbers(sampler: mi.Sampler, lane: Any) -> Any:
     """Return two random numbers for each of the lanes that are left."""
-    numbers = sampler.next_2d()
-    return numbers if SCALAR else take(numbers, lane)
+    return take(sampler.next_2d(), lane)
 
 
 def sky_at(world: World, receiver: dict[str, Any], sampler: mi.Sampler, lane: Any) -> Any:
@@ -87,7 +85,7 @@ def sky_at(world: World, receiver: dict[str, Any], sampler: mi.Sampler, lane: An
     directions = [mi.Frame3f(normal).to_world(local)]
     if not world.sky.is_uniform:
         directions.append(world.sky.sample(_numbers(sampler, lane)))
-    total = mi.Color3f(0.0) if SCALAR else dr.zeros(mi.Color3f, dr.width(start))
+    total = dr.zeros(mi.Color3f, dr.width(start))
     for direction in directions:
         cosine = dr.dot(normal, direction)
         free = receiver["active"] & (cosine > 0.0) & (dr.dot(facet, direction) > 0.0)
@@ -110,7 +108,7 @@ def area_at(world: World, receiver: dict[str, Any], sampler: mi.Sampler, lane: A
     start = ray_origin(point, facet, receiver["back"])
     local = mi.warp.square_to_cosine_hemisphere(_numbers(sampler, lane))
     direction = mi.Frame3f(normal).to_world(local)
-    total = mi.Color3f(0.0) if SCALAR else dr.zeros(mi.Color3f, dr.width(start))
+    total = dr.zeros(mi.Color3f, dr.width(start))
     for light in world.area_lights:
         met, *by_cosine = light.meet(point, direction)
         for drawn, (u, v) in (
@@ -148,10 +146,9 @@ def _directly(what: Callable[..., Any]) -> Estimator:
     def estimate(
         world: World, start: dict[str, Any], sampler: mi.Sampler, _depth: int
     ) -> Iterator[tuple[Any, Any]]:
-        lane = None if SCALAR else dr.arange(mi.UInt32, dr.width(start["point"]))
+        lane = dr.arange(mi.UInt32, dr.width(start["point"]))
         light = what(world, {**start, "active": mi.Bool(True)}, sampler, lane)
-        if not SCALAR:
-            dr.eval(light, lane)
+        dr.eval(light, lane)
         yield light, lane
 
     return estimate
@@ -175,26 +172,20 @@ def bounces(
     point, back = start["point"], start["back"]
     facet, normal = start["facet"], start["normal"]
     throughput = mi.Color3f(1.0)
-    lane = None if SCALAR else dr.arange(mi.UInt32, dr.width(point))
+    lane = dr.arange(mi.UInt32, dr.width(point))
     for _ in range(depth):
-        local = mi.warp.square_to_cosine_hemisphere(sampler.next_2d())
-        if not SCALAR:
-            local = dr.gather(mi.Vector3f, local, lane)
+        local = mi.warp.square_to_cosine_hemisphere(_numbers(sampler, lane))
         direction = mi.Frame3f(normal).to_world(local)
         active = dr.dot(direction, facet) > 0.0
         hit = scene.ray_intersect(mi.Ray3f(ray_origin(point, facet, back), direction), active)
         active &= hit.is_valid()
-        if SCALAR:
-            if not active:
-                return
-        else:
-            # Paths that left the scene cost nothing more.
-            dr.eval(hit, active, direction)
-            alive = dr.compress(active)
-            if dr.width(alive) == 0:
-                return
-            hit, direction = dr.gather(type(hit), hit, alive), take(direction, alive)
-            throughput, lane = take(throughput, alive), take(lane, alive)
+        # Paths that left the scene cost nothing more.
+        dr.eval(hit, active, direction)
+        alive = dr.compress(active)
+        if dr.width(alive) == 0:
+            return
+        hit, direction = dr.gather(type(hit), hit, alive), take(direction, alive)
+        throughput, lane = take(throughput, alive), take(lane, alive)
         point, back = hit.p, -direction
         facet, normal, there = sides(hit, direction)
         mirrored = mi.Color3f(0.0)
@@ -231,20 +222,16 @@ def through_everything(
     point = start["point"]
     local = mi.warp.square_to_cosine_hemisphere(sampler.next_2d())
     direction = mi.Frame3f(start["normal"]).to_world(local)
-    lane = None if SCALAR else dr.arange(mi.UInt32, dr.width(point))
+    lane = dr.arange(mi.UInt32, dr.width(point))
     for _ in range(layers):
         hit = scene.ray_intersect(mi.Ray3f(ray_origin(point, direction, 0.0), direction))
         active = hit.is_valid()
-        if SCALAR:
-            if not active:
-                return
-        else:
-            dr.eval(hit, direction)
-            alive = dr.compress(active)
-            if dr.width(alive) == 0:
-                return
-            hit, direction = dr.gather(type(hit), hit, alive), take(direction, alive)
-            lane = take(lane, alive)
+        dr.eval(hit, direction)
+        alive = dr.compress(active)
+        if dr.width(alive) == 0:
+            return
+        hit, direction = dr.gather(type(hit), hit, alive), take(direction, alive)
+        lane = take(lane, alive)
         point = hit.p
         facet, normal, there = sides(hit, direction)
         light = direct(scene, point, -direction, facet, normal, there)
@@ -300,27 +287,6 @@ def _average(
     return result
 
 
-def _average_scalar(
-    world: World, start: dict[str, Any], samples: int, seed: int, depth: int, what: Estimator
-) -> np.ndarray:
-    """Return the same as `_average`, one sample after the other."""
-    points, backs, facets, normals = (_columns(start[key]) for key in RECEIVER)
-    result = np.zeros((len(points), depth, 3))
-    sampler = mi.load_dict({"type": "independent", "sample_count": samples})
-    sampler.seed(seed)
-    for i, (point, back, facet, normal) in enumerate(zip(points, backs, facets, normals)):
-        lane = {
-            "point": mi.Point3f(point),
-            "back": mi.Vector3f(back),
-            "facet": mi.Normal3f(facet),
-            "normal": mi.Normal3f(normal),
-        }
-        for _ in range(samples):
-            for bounce, (light, _none) in enumerate(what(world, lane, sampler, depth)):
-                result[i, bounce] += np.array(light)
-    return result / samples
-
-
 def progress(fraction: float) -> None:
     """Tell the parent process that a part of a batch is done."""
     print(f"progress {fraction:.6f}", flush=True)
@@ -332,19 +298,11 @@ def _image(values: np.ndarray, size: tuple[int, int]) -> np.ndarray:
 
 def _columns(value: Any) -> np.ndarray:
     """Return vectors as an array of (count, 3)."""
-    if isinstance(value, np.ndarray):
-        return value
     return np.stack([np.array(value[i]) for i in range(3)], axis=-1)
 
 
 def _first_hits(scene: mi.Scene, origins: np.ndarray, along: np.ndarray, far: np.ndarray) -> dict:
-    """Return `first_hit` of all rays: arrays of the variant, or NumPy's in the scalar one."""
-    if SCALAR:
-        rows = [
-            first_hit(scene, mi.Ray3f(mi.Point3f(o), mi.Vector3f(d), float(t), 0.0, []))
-            for o, d, t in zip(origins, along, far)
-        ]
-        return {key: np.array([np.array(row[key]) for row in rows]) for key in rows[0]}
+    """Return `first_hit` of all rays."""
 
     def vectors(values: np.ndarray, kind: Any) -> Any:
         return kind(*(mi.Float(np.ascontiguousarray(values[:, i], np.float32)) for i in range(3)))
@@ -414,15 +372,10 @@ class Tracer:
         chunk = max(1, LANES // samples)
         for begin in range(0, len(receivers), chunk):
             part = receivers[begin : begin + chunk]
-            if SCALAR:
-                start = {key: self.start[key][part] for key in RECEIVER}
-                average = _average_scalar
-            else:
-                index = mi.UInt32(part.astype(np.uint32))
-                start = {key: take(self.start[key], index) for key in RECEIVER}
-                average = _average
+            index = mi.UInt32(part.astype(np.uint32))
+            start = {key: take(self.start[key], index) for key in RECEIVER}
             own = seed_of(*seed, begin)
-            found[part] = average(self.world, start, samples, own, depth, ESTIMATORS[kind])
+            found[part] = _average(self.world, start, samples, own, depth, ESTIMATORS[kind])
             progress(len(part) / len(receivers))
         if not np.isfinite(found).all():
             raise FloatingPointError(f"{np.isnan(found).sum()} values are not numbers")
@@ -436,8 +389,6 @@ def _path_means(folder: Path, size: tuple[int, int], samples: int) -> dict[str, 
     Sky and area lights are Mitsuba's own emitters there. Bounce 0 is what it shows of all light on
     surfaces.
     """
-    if SCALAR:
-        raise ValueError("needs a vectorising variant")
     scene = description.load(folder)
     camera = scene.camera
     position = (np.array(camera.position) - scene.center) * scene.scale
