@@ -163,6 +163,7 @@ class Run(compare.Run):
     def _key(self, row: Row) -> str:
         identity = {k: v for k, v in self.common.items() if k != "schema"}
         identity["flicker"] = self._flickers(row)
+        identity["moving"] = row.label in self.comparison.sweep.moving
         identity["with_errors"] = self.with_errors
         return json.dumps([identity, row.key()], sort_keys=True)
 
@@ -211,11 +212,12 @@ class Run(compare.Run):
         return path.name
 
     def judge(self, seen: references.Buffers) -> Result:
-        """Errors of a frame's buffers against each reference, HDR-FLIP included."""
+        """Errors of a frame's buffers against each reference, and HDR-FLIP to the main one."""
         result = super().judge(seen)
         if self.comparison.flip is not None:
             for name, pair in self.references().pairs(seen):
-                result[f"flip_{name.lower()}"] = self.comparison.flip.error(*pair)
+                if name == self.references().main:
+                    result[f"flip_{name.lower()}"] = self.comparison.flip.error(*pair)
         return result
 
     def _pictures(self, row: Row, seen: references.Buffers) -> Result:
@@ -239,6 +241,10 @@ class Run(compare.Run):
     def method(self, row: Row) -> Result:
         """Times, errors and pictures of a row."""
         result = super().method(row)
+        if row.label in self.comparison.sweep.moving:
+            result["moving_ms"] = frames.moving(
+                self.scene, self.scene.render_window, self.comparison.frames
+            )
         if row.method != "off" and self._flickers(row) and "flicker" not in self.missing:
             result.update(self._flicker(row))
         return result

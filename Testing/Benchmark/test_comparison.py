@@ -422,9 +422,13 @@ class Command(DirectoryTest):
     def test_times_alone_beside_those_of_ssao(self) -> None:
         path = self.write(
             "sweep.json",
-            {**sweep_of({"label": "moving", "method": "auto", "pace": "moving"}), "flicker": True},
+            {
+                **sweep_of({"label": "moving", "method": "auto", "pace": "moving"}),
+                "flicker": True,
+                "moving": ["moving"],
+            },
         )
-        with mock.patch.object(frames, "STANDING_FRAMES", 2):
+        with mock.patch.object(frames, "WARM_UP_FRAMES", 2):
             rows = {row["label"]: row for row in self.compare("--sweep", path, "--reference", "none")}
         plain, occluded, moving = (rows[label] for label in ("vtk", "ssao", "moving"))
         for time, added in (("frame_ms", "added"), ("processor_ms", "added_processor")):
@@ -437,6 +441,8 @@ class Command(DirectoryTest):
                     float(moving[f"{added}_over_ssao"]), of_moving / of_ssao, places=9
                 )
         self.assertFalse([name for name in moving if name.endswith("_r1")])
+        self.assertGreater(float(moving["moving_ms"]), 0.0)
+        self.assertEqual(plain["moving_ms"], "")
         for name in ("errors", "flicker"):
             self.assertIn(f"left out: {name}, because times alone were asked for", self.said)
         self.assertTrue((self.directory / "report" / "index.html").exists())

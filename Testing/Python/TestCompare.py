@@ -284,7 +284,7 @@ class Command(DirectoryTest):
         self.assertEqual(compare.Run(scene, 2, stored).size, (384, 384))
         run = compare.Run(scene, 2, stored, (128, 128))
         rows = [sweep.Row(pace, "auto", pace=pace) for pace in frames.PACES]
-        with mock.patch.object(frames, "STANDING_FRAMES", 2):
+        with mock.patch.multiple(frames, STANDING_FRAMES=2, WARM_UP_FRAMES=2):
             found = {row["label"]: row for row in run.run(rows, lambda _what: None)}
         self.assertEqual(list(found), ["vtk", *frames.PACES])
         self.assertEqual({row["error"] for row in found.values()}, {""})
@@ -416,7 +416,7 @@ class Command(DirectoryTest):
         before = window.GetDesiredUpdateRate()
         for pace in frames.PACES:
             rates.clear()
-            with mock.patch.object(frames, "STANDING_FRAMES", 2):
+            with mock.patch.multiple(frames, STANDING_FRAMES=2, WARM_UP_FRAMES=2):
                 self.assertTrue((depth(pace) == expected).all(), pace)
             still, moving = frames.STILL_RATE, frames.INTERACTIVE_RATE
             turned = still if pace == "still" else moving

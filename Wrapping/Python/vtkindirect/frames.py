@@ -39,6 +39,8 @@ TURN = 0.5
 """Degrees between frames of a camera that turns: a few pixels of a picture of usual size."""
 TINY_TURN = 1e-6
 """The same of a camera that turns by so little that no pixel changes."""
+WARM_UP_FRAMES = 8
+"""Frames of a camera that stands before frames of one that turns are measured, at least."""
 STANDING_FRAMES = 40
 """As many as two seconds have of frames of 50 ms. Frames are counted, not seconds, so that a busy
 machine shows the same image."""
@@ -123,10 +125,12 @@ def _stand(least: int, filling: Filling = _never) -> Iterator[None]:
         count += 1
 
 
-def _steps(scene: Scene, window: vtkRenderWindow, job: Job, filling: Filling) -> Iterator[bool]:
+def _steps(
+    scene: Scene, window: vtkRenderWindow, job: Job, filling: Filling, least: int = 1
+) -> Iterator[bool]:
     """Yield before each frame whether it is one to warm up; the camera is then where it should be.
 
-    Camera and rate are as they were afterwards.
+    A camera with a pace stands for `least` frames first. Camera and rate are as they were afterwards.
     """
     camera, rate = scene.renderer.GetActiveCamera(), window.GetDesiredUpdateRate()
     before = vtkCamera()
@@ -143,14 +147,14 @@ def _steps(scene: Scene, window: vtkRenderWindow, job: Job, filling: Filling) ->
         if job.pace is not None:
             turn(job.frames + 1)
             window.SetDesiredUpdateRate(STILL_RATE)
-            for _ in _stand(STANDING_FRAMES, filling):
+            for _ in _stand(least, filling):
                 yield True
             turn(job.frames)
             window.SetDesiredUpdateRate(STILL_RATE if job.pace == "still" else INTERACTIVE_RATE)
             yield True
         elif job.frames > 1:
             turn(job.frames)
-            for _ in _stand(1, filling):
+            for _ in _stand(least, filling):
                 yield True
         if job.pace == "standing":
             turn(0)
@@ -178,6 +182,22 @@ def _maps_first(indirect: Any, on: bool) -> Iterator[None]:
         yield
     finally:
         indirect.SetMapsFirst(before)
+
+
+def moving(scene: Scene, window: vtkRenderWindow, count: int) -> float:
+    """Return the median milliseconds of frames of a camera that turns, by the pass that is on.
+
+    What the pass keeps is there already. Camera and rate are as they were afterwards.
+    """
+    times = []
+    with messages.capture() as said:
+        for warm_up in _steps(scene, window, Job(frames=count, pace="moving"), _never):
+            elapsed = timed_render(window)
+            if not warm_up:
+                times.append(elapsed)
+        if said.errors:
+            raise RenderError(f"rendering failed: {said.first_error()}")
+    return statistics.median(times)
 
 
 Step = Callable[..., None]
@@ -218,7 +238,8 @@ def render(
     keeps = indirect is not None and indirect.GetCaching()
     # A single frame is a picture to look at: its time is that until no depth map is missing.
     fills = keeps and job.frames == 1 and job.pace is None
-    steps = _steps(scene, window, job, lambda: keeps and new_tiles > 0)
+    least = {None: 1, "standing": STANDING_FRAMES}.get(job.pace, WARM_UP_FRAMES)
+    steps = _steps(scene, window, job, lambda: keeps and new_tiles > 0, least)
     with contextlib.closing(steps), _maps_first(indirect, fills), messages.capture() as said:
         for warm_up in steps:
             if indirect is not None:

@@ -32,7 +32,7 @@ from vtkindirect.scene import Scene
 
 LIGHTS, SKY, AREA = ("R2", "R3"), ("S1", "S3"), ("A1", "A3")
 STORED = (*LIGHTS, *SKY, *AREA)
-MAIN = ("R1", "A3", "S3", "A1", "S1")
+MAIN = ("R3", "A3", "S3", "R2", "A1", "S1", "R1")
 """The reference that pictures of differences are made with: the first of these that is there."""
 ALL_LIGHT = "irradiance"
 """The buffer that references are of, but for those of `BUFFERS`."""

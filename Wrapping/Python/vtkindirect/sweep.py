@@ -10,7 +10,8 @@ A list of values stands for one row each; several lists make every combination, 
 fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists
 chose), ``pace`` (one of `frames.PACES`: what the camera does meanwhile; default: it turns by less
 than a pixel, and each frame is one of a camera that stands). Optional keys of the sweep:
-``flicker`` (true, or labels of rows: also along a path of the camera), ``path_tracer`` (samples a
+``flicker`` (true, or labels of rows: also along a path of the camera), ``moving`` (labels of rows:
+also the time of a frame while the camera turns), ``path_tracer`` (samples a
 pixel for each of its curves, {"one_bounce": […], "all_bounces": […]}), ``path_traced_scenes``
 (names; default: all).
 """
@@ -57,6 +58,8 @@ class Sweep:
     path_tracer: dict[str, list[int]] = field(default_factory=lambda: dict(PATH_TRACER))
     path_traced_scenes: list[str] | None = None
     """Names of the scenes that the path tracer's rows are of; None for all."""
+    moving: list[str] = field(default_factory=list)
+    """Labels of rows whose frames are timed while the camera turns, too."""
 
 
 def default(names: list[str]) -> Sweep:
@@ -97,4 +100,5 @@ def load(path: str | Path) -> Sweep:
         if labels.count(label) > 1:
             raise UsageError(f"{path}: two rows are called '{label}'; give them labels")
     samples = {key: sorted(set(content["path_tracer"][key])) for key in PATH_TRACER}
-    return Sweep(rows, content["flicker"], samples, content.get("path_traced_scenes"))
+    scenes = content.get("path_traced_scenes")
+    return Sweep(rows, content["flicker"], samples, scenes, content["moving"])
