@@ -15,7 +15,7 @@
  * vtkUniformLightSampler, at about the same time. Approximations: a node is a patch, correct up to
  * the second order in its width over the distance. Where a receiver's horizon cuts it the result is
  * too dark, by up to 5 %, and behind thin bent sheets, within a node's width, too bright. Maps are
- * read back when they have changed: 10 to 40 ms. A node's depth map serves its branches.
+ * read back when they have changed. A node's depth map serves its branches.
  */
 
 #ifndef vtkLightTreeSampler_h
