@@ -323,7 +323,7 @@ class Run(compare.Run):
         times = [second + seconds for second in traced.seconds]
         if path and self._names_for_flicker(row):
             self._normals = self._normals or orbit.normals(self.scene)
-            path = [denoiser.denoised(*pair)[0] for pair in zip(path, self._normals)]
+            path = [denoiser.denoised(*pair, repeats=1)[0] for pair in zip(path, self._normals)]
         return self._traced(row, Traced(traced.name, image, times), path)
 
     def _trace(self, rows: list[Row], step: Callable[[Row], None]) -> Iterator[list[Result]]:

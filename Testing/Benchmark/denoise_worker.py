@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Denoises images in the reference environment; a program of its own, run by that Python with -I.
 
-Each line of standard input is a file of NumPy's with image (irradiance) and normal. The denoised
-image goes to FILE.denoised.npy, and the answer is one line: seconds, or a sentence that begins with
+Each line of standard input is a file of NumPy's with image (irradiance), normal and repeats. The
+denoised image goes to FILE.denoised.npy, and the answer is one line: seconds, or a sentence that begins with
 "error: ".
 """
 
@@ -15,11 +15,9 @@ from importlib.metadata import version
 
 import numpy as np
 
-REPEATS = 3
 
-
-def denoised(image: np.ndarray, normal: np.ndarray) -> tuple[np.ndarray, float]:
-    """The image by Intel's Open Image Denoise, and the median of the seconds that it takes.
+def denoised(image: np.ndarray, normal: np.ndarray, repeats: int) -> tuple[np.ndarray, float]:
+    """The image by Intel's Open Image Denoise, and the median of the seconds of `repeats` times.
 
     The albedo is divided out of the image, so that the auxiliary albedo is 1; normals have no noise.
     """
@@ -31,7 +29,7 @@ def denoised(image: np.ndarray, normal: np.ndarray) -> tuple[np.ndarray, float]:
         "normal": np.ascontiguousarray(normal, dtype=np.float32),
     }
     seconds = []
-    for _ in range(REPEATS):
+    for _ in range(repeats):
         before = time.perf_counter()
         found = pyoidn.denoise(colour, **guides, hdr=True, clean_aux=True)
         seconds.append(time.perf_counter() - before)
@@ -48,7 +46,7 @@ def main() -> int:
         with np.load(path) as arrays:
             found = dict(arrays)
         try:
-            image, seconds = denoised(found["image"], found["normal"])
+            image, seconds = denoised(found["image"], found["normal"], int(found["repeats"]))
             np.save(f"{path}.denoised.npy", image)
             answer = repr(seconds)
         except (RuntimeError, TypeError, ValueError) as error:

@@ -45,7 +45,7 @@ papers](speed-vs-error/benchmarks.md).
 | gather-paper, splatting-paper, multiresolution-paper, hints-paper | [the papers' versions](guide.md#the-papers-versions): Dachsbacher and Stamminger 2005 and 2006, Nichols and Wyman 2009, Papaioannou 2011 |
 | mitsuba | the path tracer by samples a pixel |
 
-Flicker is measured of four rows. Rows of papers and -open ignore occluders between senders and receivers, as the papers do. They converge to R1, and
+Moving ms has each method by default and as published, flicker the rows that it names. Rows of papers and -open ignore occluders between senders and receivers, as the papers do. They converge to R1, and
 their light in places that should be dark is a large part of relMSE, which divides by the reference at each pixel. Rows
 with one bounce are compared with R2; against R3 they lack the later bounces, more than half of all indirect light in
 closed, pale rooms.
@@ -124,8 +124,12 @@ def read(report: Path) -> list[dict[str, Any]]:
 
 
 def publish(report: Path, page: Page, documentation: Path) -> None:
-    """Write a comparison's page, table and plots."""
+    """Write a comparison's page, table and plots, in place of those that are there."""
     results = read(report)
+    old = documentation / f"{page.figures}rows.csv"
+    if old.is_file():
+        for scene in {row["scene"] for row in read_table(old)}:
+            (documentation / f"{page.figures}{scene}.png").unlink(missing_ok=True)
     shutil.copy(report / "rows.csv", documentation / f"{page.figures}rows.csv")
     for scene in dict.fromkeys(result["scene"] for result in results):
         if (report / f"{scene}.png").is_file():
@@ -433,12 +437,7 @@ def publish_one(reports: Path, name: str) -> int:
     if mixed(read(reports / name)):
         print(f"publish.py: {mixed(read(reports / name))}", file=sys.stderr)
         return 1
-    page = PAGES[name]
-    prefix = DOCUMENTATION / page.figures
-    for old in prefix.parent.glob(f"{prefix.name}*"):
-        if old.suffix in (".png", ".csv"):
-            old.unlink()
-    publish(reports / name, page, DOCUMENTATION)
+    publish(reports / name, PAGES[name], DOCUMENTATION)
     return 0
 
 
@@ -460,8 +459,6 @@ def main() -> int:
     documentation = Path(sys.argv[2]) if len(sys.argv) == 3 else DOCUMENTATION
     figures = documentation / "speed-vs-error"
     figures.mkdir(exist_ok=True)
-    for old in [*figures.glob("*.png"), *figures.glob("*.csv")]:
-        old.unlink()
     for name, page in PAGES.items():
         publish(reports / name, page, documentation)
     publish_tables(reports, documentation)

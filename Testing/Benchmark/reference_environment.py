@@ -127,9 +127,11 @@ class Denoiser(Worker):
     package = "pyoidn"
     task = "denoising"
 
-    def denoised(self, image: np.ndarray, normal: np.ndarray) -> tuple[np.ndarray, float]:
-        """An image of irradiance without noise, and seconds; see `denoise_worker.denoised`."""
-        seconds, path = self.ask(image=image, normal=normal)
+    def denoised(
+        self, image: np.ndarray, normal: np.ndarray, repeats: int = 3
+    ) -> tuple[np.ndarray, float]:
+        """An image of irradiance without noise, and the median seconds of so many times."""
+        seconds, path = self.ask(image=image, normal=normal, repeats=np.array(repeats))
         return np.load(f"{path}.denoised.npy").astype(np.float64), seconds
 
 

@@ -515,7 +515,7 @@ class Command(DirectoryTest):
         shape = (scene.size[1], scene.size[0], 3)
         frames_of_path = []
         denoiser = mock.Mock()
-        denoiser.denoised.side_effect = lambda image, normal: (truth(image), 0.25)
+        denoiser.denoised.side_effect = lambda image, normal, repeats=3: (truth(image), 0.25)
         asked = []
 
         def truth(image: np.ndarray) -> np.ndarray:
