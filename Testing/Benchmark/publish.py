@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts comparisons and benchmarks into the documentation: publish.py REPORTS [DOCUMENTATION | --only PAGE].
+"""Puts comparisons and benchmarks into the documentation: publish.py REPORTS DOCUMENTATION PAGE...
 
 REPORTS is the directory that Testing/Benchmark/report fills: ``all``, ``hints``, ``sky``
-and ``spheres`` are comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed, and
-``area_sweep.page`` is a whole page. With --only one comparison's page is written and no other.
+and ``spheres`` are comparisons by ``comparison.py``, ``*.md`` are tables that benchmarks printed
+(the page ``benchmarks``), and ``area_sweep.page`` is the whole page ``area``. Only the named pages
+are written.
 """
 
 from __future__ import annotations
@@ -15,14 +16,17 @@ import sys
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from vtkindirect import frames, load_scene
+
+import comparison
 from page import provenance
 
 DOCUMENTATION = Path(__file__).resolve().parent.parent.parent / "Documentation"
 
 HOW = """
-One command makes this page and its siblings again, and writes difference images of every row (build/report):
+This command makes this page again, and writes difference images of every row (build/report):
 
-    Testing/Benchmark/report --environment
+    Testing/Benchmark/report{only}
 """
 
 ALL = """
@@ -45,8 +49,9 @@ papers](speed-vs-error/benchmarks.md).
 | gather-paper, splatting-paper, multiresolution-paper, hints-paper | [the papers' versions](guide.md#the-papers-versions): Dachsbacher and Stamminger 2005 and 2006, Nichols and Wyman 2009, Papaioannou 2011 |
 | mitsuba | the path tracer by samples a pixel |
 
-Moving ms has each method by default and as published, flicker the rows that it names. Rows of papers and -open ignore occluders between senders and receivers, as the papers do. They converge to R1, and
-their light in places that should be dark is a large part of relMSE, which divides by the reference at each pixel. Rows
+Each method by default and as published has a time of moving frames; flicker is measured of the default, gather,
+multiresolution-paper, hints, and the path tracer with 1 and 4 samples. Rows of papers and -open ignore occluders
+between senders and receivers, as the papers do. They converge to R1, and their light in places that should be dark is a large part of relMSE, which divides by the reference at each pixel. Rows
 with one bounce are compared with R2; against R3 they lack the later bounces, more than half of all indirect light in
 closed, pale rooms.
 """
@@ -118,6 +123,10 @@ PAGES = {
 }
 
 
+TOGETHER = ("all", "sky", "spheres")
+"""Pages of comparisons that a run without --only makes, so that their rows are of one commit."""
+
+
 def read(report: Path) -> list[dict[str, Any]]:
     """Return the rows of a comparison."""
     return json.loads((report / "rows.json").read_text(encoding="utf-8"))
@@ -135,7 +144,9 @@ def publish(report: Path, page: Page, documentation: Path) -> None:
         if (report / f"{scene}.png").is_file():
             shutil.copy(report / f"{scene}.png", documentation / f"{page.figures}{scene}.png")
     table = f"The rows with all their columns: [rows.csv]({page.link}rows.csv)."
-    preface = "\n\n".join(text.strip() for text in (HOW, table, page.preface))
+    alone = report.name not in TOGETHER
+    how = HOW.format(only=f" --only {report.name}" if alone else " --environment")
+    preface = "\n\n".join(text.strip() for text in (how, table, page.preface))
     summaries = {
         "all": at_a_glance,
         "hints": equals,
@@ -421,49 +432,53 @@ def mixed(results: list[dict[str, Any]]) -> str:
     return ""
 
 
+def here() -> dict[str, Any]:
+    """Return what a row of a comparison would say of this machine, its OpenGL and this commit."""
+    scene = load_scene(Path(__file__).resolve().parent.parent / "Scenes" / "contact_corner.json")
+    window = frames.open_window(scene, (32, 32))
+    report = frames.render(scene, window, frames.Job())
+    window.Finalize()
+    return {
+        **{name: report[name] for name in ("version", "vtk", "shader_hash")},
+        "gl": report["gl"]["renderer"],
+        "gl_version": report["gl"]["version"],
+        "commit": comparison.commit(Path(__file__).parent),
+        "machine": comparison.machine(),
+    }
+
+
 def publish_tables(reports: Path, documentation: Path) -> None:
-    """Write the page of what the benchmarks printed, in the run that made the rows."""
-    texts = [BENCHMARKS, provenance(read(reports / "all")), HOW]
+    """Write the page of what the benchmarks printed on this machine at this commit."""
+    texts = [BENCHMARKS, provenance([here()]), HOW.format(only=" --only benchmarks")]
     texts += [file.read_text(encoding="utf-8") for file in sorted(reports.glob("*.md"))]
     text = "\n\n".join(part.strip() for part in texts) + "\n"
     (documentation / "speed-vs-error" / "benchmarks.md").write_text(text, encoding="utf-8")
 
 
-def publish_one(reports: Path, name: str) -> int:
-    """Write one page and its figures and leave the others as they are; returns the exit code."""
-    if not (reports / name / "rows.json").is_file():
-        print(f"publish.py: {reports / name}/rows.json is not there", file=sys.stderr)
-        return 2
-    if mixed(read(reports / name)):
-        print(f"publish.py: {mixed(read(reports / name))}", file=sys.stderr)
-        return 1
-    publish(reports / name, PAGES[name], DOCUMENTATION)
-    return 0
-
-
 def main() -> int:
-    """Publish what the command line names; returns the exit code."""
-    if len(sys.argv) == 4 and sys.argv[2] == "--only" and sys.argv[3] in PAGES:
-        return publish_one(Path(sys.argv[1]), sys.argv[3])
-    reports = Path(sys.argv[1]) if len(sys.argv) in (2, 3) else Path()
-    missing = [name for name in PAGES if not (reports / name / "rows.json").is_file()]
-    if len(sys.argv) not in (2, 3) or missing:
-        names = ", ".join(PAGES)
-        print(f"usage: publish.py REPORTS [DOCUMENTATION] (each of REPORTS/{{{names}}} has rows.json)",
-              file=sys.stderr)  # fmt: skip
+    """Publish the pages that the command line names; returns the exit code."""
+    known = (*PAGES, "area", "benchmarks")
+    names = sys.argv[3:]
+    if not names or not set(names) <= set(known):
+        print(f"usage: publish.py REPORTS DOCUMENTATION PAGE... (of {', '.join(known)})", file=sys.stderr)
         return 2
-    every = [row for name in PAGES for row in read(reports / name)]
+    reports, documentation = Path(sys.argv[1]), Path(sys.argv[2])
+    compared = [name for name in names if name in PAGES]
+    missing = [name for name in compared if not (reports / name / "rows.json").is_file()]
+    if missing:
+        print(f"publish.py: {reports} has no rows.json of {', '.join(missing)}", file=sys.stderr)
+        return 2
+    every = [row for name in compared for row in read(reports / name)]
     if mixed(every):
         print(f"publish.py: {mixed(every)}; remove {reports} and run it again", file=sys.stderr)
         return 1
-    documentation = Path(sys.argv[2]) if len(sys.argv) == 3 else DOCUMENTATION
-    figures = documentation / "speed-vs-error"
-    figures.mkdir(exist_ok=True)
-    for name, page in PAGES.items():
-        publish(reports / name, page, documentation)
-    publish_tables(reports, documentation)
-    if (reports / "area_sweep.page").is_file():
-        shutil.copy(reports / "area_sweep.page", figures / "area.md")
+    (documentation / "speed-vs-error").mkdir(exist_ok=True)
+    for name in compared:
+        publish(reports / name, PAGES[name], documentation)
+    if "area" in names:
+        shutil.copy(reports / "area_sweep.page", documentation / "speed-vs-error" / "area.md")
+    if "benchmarks" in names:
+        publish_tables(reports, documentation)
     return 0
 
 
