@@ -181,9 +181,9 @@ class Cie171(unittest.TestCase):
             self.compare(f"5.6 {at}, %", found, REFLECTION[at], 0.02)
 
     def test_5_8_closed_room(self) -> None:
-        """The goal is 2 %; albedo 0.95 is 2.6 % too dark."""
+        """Chance of few paths is most of the difference: 1.6 % (one sigma) at albedo 0.95."""
         flux, side = 10000.0, WIDTH
-        for albedo, most in ((0.3, 0.02), (0.5, 0.02), (0.7, 0.02), (0.9, 0.02), (0.95, 0.03)):
+        for albedo in (0.3, 0.5, 0.7, 0.9, 0.95):
             renderer = make_room([*walls(side, albedo), floor(albedo), ceiling(side, albedo)])
             lamp = vtkLight()
             lamp.SetLightTypeToSceneLight()
@@ -197,7 +197,7 @@ class Cie171(unittest.TestCase):
             image = self.measure(renderer, "floor", "bounce", side)
             found = math.pi * image[..., 0].mean()
             exact = flux * albedo / (6 * side * side * (1 - albedo))
-            self.compare(f"5.8 albedo {albedo}, lx", [found], [exact], most)
+            self.compare(f"5.8 albedo {albedo}, lx", [found], [exact], 0.02)
 
     def test_5_9_sky_through_an_opening(self) -> None:
         """The goal is 2 %. The sky's 256 directions are fixed: a small opening draws an image for each,
