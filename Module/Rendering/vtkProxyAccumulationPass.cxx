@@ -85,21 +85,20 @@ protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
   void ReleaseOwn(vtkWindow*) override
   {
-    this->TreeIsThere = false;
+    this->TreeFor.Clear();
     this->NeededFor.Clear();
   }
 
 private:
   bool Sum(const Input& input);
-  bool FindReach(vtkEnvironmentLight* environment);
+  void FindReach(vtkEnvironmentLight* environment);
   std::string DescribeReach() const;
 
   vtkProxyAccumulationPass& Set;
   vtkIndirectProxyTree Tree;
   vtkIndirectProxySums Sums{ this };
   vtkIndirectTarget Sky{ this, SkyChannels, false };
-  vtkMTimeType TreeTime = 0; // time of this pass when the tree was built
-  bool TreeIsThere = false;
+  vtkIndirectKey TreeFor; // the inputs of the tree, but for the spheres; empty: there is none
   vtkIndirectProxyStep StepBySpheres;
   // Without groups an environment needs this reach, which was found for these inputs.
   vtkIndirectProxyReach Needed;
@@ -266,27 +265,22 @@ vtkIndirectEstimate ProxySum::Estimate(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-// Returns true if spheres hide light within other radii than in the last frame.
-bool ProxySum::FindReach(vtkEnvironmentLight* environment)
+void ProxySum::FindReach(vtkEnvironmentLight* environment)
 {
-  const double before = this->Hides;
   this->Hides = this->Set.GetGroups() ? 0.0 : this->Set.GetInfluenceScale();
   this->Sends = this->Set.GetGroups() ? 0.0 : this->Set.GetIndirectInfluenceScale();
   if (!this->Set.GetGroups() && environment && (this->Hides <= 0.0 || this->Sends <= 0.0))
   {
     const bool middle = this->Set.GetIndirectLight() == vtkProxyAccumulationPass::MIDDLE;
-    vtkIndirectKey key;
-    key.Add("environment", environment).Add("middle", middle);
-    if (key != this->NeededFor)
+    vtkIndirectKey key("environment", environment);
+    if (this->NeededFor.Take(key.Add("middle", middle)))
     {
       this->Needed =
         vtkIndirectProxyReach::Find(vtkIndirectProxyLight::Project(environment), middle);
-      this->NeededFor = key;
     }
     this->Hides = this->Hides > 0.0 ? this->Hides : this->Needed.Hides;
     this->Sends = this->Sends > 0.0 ? this->Sends : this->Needed.Sends;
   }
-  return this->Hides != before;
 }
 
 //------------------------------------------------------------------------------
@@ -300,17 +294,15 @@ bool ProxySum::Sum(const Input& input)
 
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const bool moved = this->Scene.Update(frame, this->Given, &this->Set);
-  const bool reaches = this->FindReach(input.Environment);
-  const bool rebuilds =
-    moved || reaches || !this->TreeIsThere || this->TreeTime != this->Set.GetMTime();
+  this->FindReach(input.Environment);
+  vtkIndirectKey key("settings", &this->Set);
   bool done = true;
-  if (rebuilds)
+  if (this->TreeFor.Take(key.Add("reach", this->Hides)) || moved)
   {
     this->Tree.Build(this->Scene.GetSpheres(),
       this->Set.GetGroups() ? this->Set.GetGroupAngle() : 0.0, this->Hides);
     done = this->Sums.Update(frame.Window, this->Tree, this->Scene.GetPolygons());
-    this->TreeIsThere = done;
-    this->TreeTime = this->Set.GetMTime();
+    this->TreeFor = done ? key : vtkIndirectKey();
   }
   this->Sums.SetEnvironment(frame.Window, input.Environment);
   input.Timer.End(vtkIndirectStageTimer::Lights);

@@ -50,6 +50,9 @@ VTK_INDIRECT_TEST(KeyIsEqualBitByBit)
   large.Add("time", vtkTypeUInt64(1) << 60);
   larger.Add("time", (vtkTypeUInt64(1) << 60) + 1);
   Check("large times that differ by one", large != larger);
+  Check("a key takes another", large.Take(larger));
+  Check("and then equals it", large == larger && !large.Take(larger));
+  Check("a new key takes that of no object", vtkIndirectKey().Take({ "sampler", nullptr }));
 }
 
 VTK_INDIRECT_TEST(KeyNamesWhatChanged)

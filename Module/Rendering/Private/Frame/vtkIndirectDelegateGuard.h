@@ -3,8 +3,8 @@
 // remembers whether a delegate is drawing.
 #pragma once
 
-#include "vtkRenderPass.h"
-#include "vtkWeakPointer.h"
+#include "Frame/vtkIndirectKey.h" // for a member
+#include "vtkRenderPass.h"        // for delegates
 
 class vtkIndirectDelegateGuard
 {
@@ -19,21 +19,17 @@ public:
   /** Refuses a delegate. Returns true if it was not refused before. */
   bool Refuse(vtkRenderPass* delegate)
   {
-    const bool known = this->IsRefused(delegate);
-    this->Refused = delegate;
-    this->Time = delegate ? delegate->GetMTime() : 0;
-    return delegate && !known;
+    return this->Refused.Take({ "delegate", delegate }) && delegate;
   }
   /**
    * Returns true if the delegate is refused. A null delegate, the default one, is never refused.
    */
   bool IsRefused(vtkRenderPass* delegate) const
   {
-    return delegate && this->Refused == delegate && this->Time == delegate->GetMTime();
+    return delegate && this->Refused == vtkIndirectKey("delegate", delegate);
   }
 
 private:
-  vtkWeakPointer<vtkRenderPass> Refused;
-  vtkMTimeType Time = 0;
+  vtkIndirectKey Refused;
   bool Drawing = false;
 };

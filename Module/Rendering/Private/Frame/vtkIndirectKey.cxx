@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
+#include <utility>
 
 //------------------------------------------------------------------------------
 vtkIndirectKey& vtkIndirectKey::AddBits(const char* name, vtkTypeUInt64 bits)
@@ -68,6 +69,14 @@ void vtkIndirectKey::Clear()
 {
   this->Parts.clear();
   this->Bits.clear();
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectKey::Take(vtkIndirectKey key)
+{
+  const bool differs = key != *this;
+  *this = std::move(key);
+  return differs;
 }
 
 //------------------------------------------------------------------------------

@@ -16,6 +16,9 @@ class vtkObject;
 class vtkIndirectKey
 {
 public:
+  vtkIndirectKey() = default;
+  vtkIndirectKey(const char* name, vtkObject* object) { this->Add(name, object); }
+
   ///@{
   /**
    * Appends an input. The name is a literal: the key holds the pointer. Inputs of one name that
@@ -44,6 +47,8 @@ public:
   /** Keys are equal if their numbers are, bit by bit; plus and minus zero are equal. */
   bool operator==(const vtkIndirectKey& other) const { return this->Bits == other.Bits; }
   bool operator!=(const vtkIndirectKey& other) const { return !(*this == other); }
+  /** Becomes equal to a key. Returns true if it was not. */
+  bool Take(vtkIndirectKey key);
 
   /**
    * Returns the names of the parts that differ from another key's, each once, in this key's order.

@@ -21,13 +21,6 @@ const vtkIndirectChannels PyramidChannels = {
 // Rows of the images' common texture: half of what every OpenGL 4 allows, to be safe.
 constexpr int MostRows = 8192;
 
-vtkIndirectKey MakeKey(vtkAreaLight* light)
-{
-  vtkIndirectKey key;
-  key.Add("light", light);
-  return key;
-}
-
 // Makes a net of points of the square: any power of two of points is such a net, and so is any run
 // of that many points from a multiple of it on (Sobol 1967, the first two dimensions). The flipped
 // digits put the point of each cell of 16, 64 or 1024 points near the cell's middle.
@@ -126,10 +119,7 @@ void vtkIndirectAreaLamps::UpdateLamp(Lamp& lamp, vtkAreaLight* light, int texel
   static_cast<vtkIndirectRectangle&>(lamp) =
     vtkIndirectRectangle(light, this->SceneCenter, this->SceneScale);
   light->GetMeanRadiance(&lamp.Radiance[0]);
-  const vtkIndirectKey key = MakeKey(light);
-  const bool same = lamp.Light == key && lamp.Pyramid.GetEdge(0) <= texels;
-  lamp.Light = key;
-  if (!same)
+  if (lamp.Light.Take({ "light", light }) || lamp.Pyramid.GetEdge(0) > texels)
   {
     int columns;
     int rows;
@@ -159,7 +149,7 @@ bool vtkIndirectAreaLamps::Update(
     frame.SceneCenter == this->SceneCenter;
   for (size_t i = 0; same && i < lit.size(); ++i)
   {
-    same = this->Lamps[i]->Light == MakeKey(lit[i]);
+    same = this->Lamps[i]->Light == vtkIndirectKey("light", lit[i]);
   }
   if (same)
   {

@@ -31,9 +31,7 @@ double Sum(const glm::dvec3& light)
 bool vtkIndirectSkyDirections::Update(
   vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still)
 {
-  vtkIndirectKey key;
-  key.Add("environment", environment);
-  const bool other = key != this->Environment ||
+  const bool other = this->Environment.Take({ "environment", environment }) ||
     std::max(still, LeastLattice) != std::max(this->Still, LeastLattice);
   if (!other && count == this->Count && still == this->Still)
   {
@@ -45,7 +43,6 @@ bool vtkIndirectSkyDirections::Update(
     this->FindLight(projection, environment);
   }
   this->FindOthers(count);
-  this->Environment = key;
   this->Count = count;
   this->Still = still;
   return true;

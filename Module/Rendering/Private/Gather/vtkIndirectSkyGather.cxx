@@ -100,8 +100,7 @@ void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
 {
   vtkIndirectKey key;
   frame.AppendFitsTo(key);
-  const bool fits = key == this->FitKey;
-  this->FitKey = std::move(key);
+  const bool fits = !this->FitKey.Take(std::move(key));
   for (Group& group : this->Groups)
   {
     if (fits && group.Maps.size() == group.Directions.size())

@@ -75,10 +75,8 @@ vtkTextureObject* vtkIndirectVisibleLamps::FindPicture(
     return nullptr;
   }
   Picture& picture = this->Pictures[light];
-  const vtkMTimeType time = light->GetMTime();
-  if (!picture.Texture || picture.Time != time)
+  if (picture.Light.Take({ "light", light }))
   {
-    picture.Time = time;
     picture.Texture = vtkSmartPointer<vtkTextureObject>::New();
     picture.Texture->SetContext(window);
     picture.Texture->SetMaxLevel(1000); // all levels

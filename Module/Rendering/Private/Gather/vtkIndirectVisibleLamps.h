@@ -6,10 +6,10 @@
 // are drawn nevertheless, in front of or behind everything else.
 #pragma once
 
+#include "Frame/vtkIndirectKey.h"           // for members
 #include "OpenGL/vtkIndirectPointProgram.h" // for members
 #include "OpenGL/vtkIndirectResource.h"     // for the base class
 #include "vtkSmartPointer.h"                // for lights
-#include "vtkType.h"                        // for times
 
 #include <map>    // for images
 #include <vector> // for lists
@@ -42,7 +42,7 @@ private:
   struct Picture
   {
     vtkSmartPointer<vtkTextureObject> Texture;
-    vtkMTimeType Time = 0; // time of the light
+    vtkIndirectKey Light; // the light that it was made of
   };
 
   vtkTextureObject* FindPicture(vtkOpenGLRenderWindow* window, vtkAreaLight* light);

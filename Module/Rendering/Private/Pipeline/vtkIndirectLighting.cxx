@@ -183,11 +183,10 @@ void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectDistan
   {
     key.Add("lights", lamp.Direction).Add("lights", lamp.Color);
   }
-  if (key == this->PresetLightsKey)
+  if (!this->PresetLightsKey.Take(std::move(key)))
   {
     return;
   }
-  this->PresetLightsKey = std::move(key);
   this->PresetLights = vtkIndirectPresetLights::Make(preset, lamps, albedo);
 
   // The image is laid out for vtkEnvironmentLight: the middle is ahead, which is -z; the bottom row

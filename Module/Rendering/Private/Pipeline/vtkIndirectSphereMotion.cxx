@@ -105,7 +105,7 @@ double vtkIndirectSphereMotion::FindMovedSpheres(const vtkIndirectFrame& frame)
       moved += found != this->Props.end() && found->second.Places != kind.Places
         ? kind.NumberOfSpheres
         : 0.0;
-      now[caster.Prop] = { caster.Revision, std::move(kind.Places), kind.NumberOfSpheres };
+      now[caster.Prop] = { caster.Revision, std::move(kind.Places) };
     }
   }
   this->Props = std::move(now);

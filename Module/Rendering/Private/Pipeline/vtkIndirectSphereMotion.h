@@ -17,7 +17,6 @@
 
 #include <string>        // for reasons
 #include <unordered_map> // for props of the last frame
-#include <vector>        // for places
 
 class vtkEnvironmentLight;
 class vtkProp;
@@ -48,8 +47,7 @@ private:
   struct Before
   {
     vtkTypeUInt64 Revision = 0;
-    std::vector<double> Places;
-    double NumberOfSpheres = 0.0;
+    vtkIndirectKey Places;
   };
   std::unordered_map<vtkProp*, Before> Props;
   vtkIndirectProxyKinds Kinds;

@@ -3,7 +3,6 @@
 
 #include "Frame/vtkIndirectActors.h"
 #include "Proxies/vtkIndirectProxyMolecules.h"
-#include "Proxies/vtkIndirectProxyShapes.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkActor.h"
 #include "vtkDataSetMapper.h"
@@ -61,8 +60,7 @@ void AddSpheres(vtkMapper* mapper, vtkMatrix4x4* matrix, vtkIndirectProxyKinds::
   kind.NumberOfSpheres += (type == STICKS ? vtkIndirectProxySticks::MostSpheresOfAStick : 1) *
     static_cast<double>(
       data->GetNumberOfElements(type == MOLECULE ? vtkDataObject::VERTEX : vtkDataObject::POINT));
-  kind.Places.push_back(static_cast<double>(data->GetMTime()));
-  kind.Places.insert(kind.Places.end(), matrix->GetData(), matrix->GetData() + 16);
+  kind.Places.Add("data", data).Add("matrix", matrix->GetData(), 16);
 }
 }
 
@@ -147,8 +145,10 @@ std::string vtkIndirectProxyKinds::FindWhyNoGlyphs(vtkMapper* mapper)
   bool balls = count > 0 && !glyphs->GetUseSourceTableTree();
   for (int i = 0; balls && i < count; ++i)
   {
-    vtkPolyData* source = glyphs->GetSource(i);
-    balls = source && this->FindShape(source) == CENTERED_SPHERE;
+    const std::vector<vtkIndirectProxySphere>& spheres =
+      this->FindShape(glyphs->GetSource(i)).Spheres;
+    balls = spheres.size() == 1 &&
+      glm::length(spheres.front().Center) <= MostOffset * spheres.front().Radius;
   }
   return !balls ? "there are glyphs that are no spheres"
     : glyphs->GetScaling() && glyphs->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_COMPONENTS
@@ -163,53 +163,17 @@ void vtkIndirectProxyKinds::AddMesh(vtkMapper* mapper, Kind& kind)
   const bool plain = std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 ||
     std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0;
   auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
-  const int shape = plain && mesh ? this->FindShape(mesh) : NEITHER;
-  kind.NumberOfPolygons += shape == POLYGON ? 1 : 0;
-  if (shape == NEITHER)
+  const int shape = this->FindShape(plain ? mesh : nullptr).Kind;
+  kind.NumberOfPolygons += shape == vtkIndirectProxyShapes::POLYGON ? 1 : 0;
+  if (shape == vtkIndirectProxyShapes::NOTHING)
   {
     kind.Other = "there is a mesh that is neither flat and convex nor made of spheres";
   }
 }
 
 //------------------------------------------------------------------------------
-int vtkIndirectProxyKinds::FindShape(vtkPolyData* mesh)
+const vtkIndirectProxyShapes::Shape& vtkIndirectProxyKinds::FindShape(vtkPolyData* mesh)
 {
-  Known& known = this->Meshes[mesh];
-  known.Used = true;
-  if (known.Time == mesh->GetMTime())
-  {
-    return known.Shape;
-  }
-  known.Time = mesh->GetMTime();
-  known.Shape = NEITHER;
-  if (mesh->GetNumberOfCells() > MostCells || mesh->GetNumberOfPoints() == 0)
-  {
-    return known.Shape;
-  }
-  vtkIndirectProxyShapes::Shape shape;
-  if (vtkIndirectProxyShapes::FindSpheres(mesh, shape))
-  {
-    const vtkIndirectProxySphere& first = shape.Spheres.front();
-    known.Shape =
-      shape.Spheres.size() == 1 && glm::length(first.Center) <= MostOffset * first.Radius
-      ? CENTERED_SPHERE
-      : SPHERES;
-    return known.Shape;
-  }
-  shape = vtkIndirectProxyShapes::Shape();
-  known.Shape = vtkIndirectProxyShapes::FindPolygon(mesh, shape) ? POLYGON : NEITHER;
-  return known.Shape;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectProxyKinds::Forget()
-{
-  for (auto it = this->Meshes.begin(); it != this->Meshes.end();)
-  {
-    it = it->second.Used ? std::next(it) : this->Meshes.erase(it);
-  }
-  for (auto& known : this->Meshes)
-  {
-    known.second.Used = false;
-  }
+  static const vtkIndirectProxyShapes::Shape none;
+  return mesh && mesh->GetNumberOfCells() <= MostCells ? this->Shapes.Find(mesh, true) : none;
 }

@@ -3,11 +3,10 @@
 // mappers, and by the shapes of meshes, each examined once.
 #pragma once
 
-#include "vtkType.h" // for times
+#include "Frame/vtkIndirectKey.h"           // for places
+#include "Proxies/vtkIndirectProxyShapes.h" // for a member
 
-#include <string>        // for reasons
-#include <unordered_map> // for known meshes
-#include <vector>        // for numbers
+#include <string> // for reasons
 
 class vtkActor;
 class vtkMapper;
@@ -25,8 +24,7 @@ public:
     /** This is the content for which vtkProxyAccumulationPass has no exact representation; empty if
      * there is none. */
     std::string Other;
-    /** Changes with the positions of these spheres: times of data, elements of matrices. */
-    std::vector<double> Places;
+    vtkIndirectKey Places; // the inputs of the spheres' positions
   };
 
   /** Counts the spheres of mappers that draw only spheres; without reasons in Other, and without
@@ -40,26 +38,12 @@ public:
   /** Reason why the glyphs of a vtkGlyph3DMapper are not spheres; empty if they are. */
   std::string FindWhyNoGlyphs(vtkMapper* mapper);
   /** Ends a frame: forgets unused meshes. */
-  void Forget();
+  void Forget() { this->Shapes.Forget(); }
 
 private:
-  enum ShapeType
-  {
-    NEITHER,
-    POLYGON,
-    SPHERES,
-    CENTERED_SPHERE // one, about the origin
-  };
-  struct Known
-  {
-    vtkMTimeType Time = 0;
-    int Shape = NEITHER;
-    bool Used = false;
-  };
-
   void AddActor(vtkActor* actor, Kind& kind);
   void AddMesh(vtkMapper* mapper, Kind& kind);
-  int FindShape(vtkPolyData* mesh);
+  const vtkIndirectProxyShapes::Shape& FindShape(vtkPolyData* mesh);
 
-  std::unordered_map<vtkPolyData*, Known> Meshes;
+  vtkIndirectProxyShapes Shapes;
 };

@@ -141,9 +141,7 @@ void vtkIndirectProxyLight::AddPolygons(std::vector<glm::vec4>& rows,
 bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironmentLight* environment,
   const std::vector<vtkIndirectProxyPolygon>& polygons, int firstPlace, bool changed)
 {
-  vtkIndirectKey key;
-  key.Add("environment", environment);
-  const bool same = key == this->Environment;
+  const bool same = !this->Environment.Take({ "environment", environment });
   if (same && !changed && this->Block.GetBytes() > 0)
   {
     return false;
@@ -155,7 +153,6 @@ bool vtkIndirectProxyLight::Update(vtkOpenGLRenderWindow* window, vtkEnvironment
     {
       this->Light = Project(environment);
     }
-    this->Environment = key;
   }
   std::vector<glm::vec4> rows;
   for (int color = 0; color < 3; ++color)

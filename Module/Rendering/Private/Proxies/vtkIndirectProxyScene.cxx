@@ -136,11 +136,10 @@ bool vtkIndirectProxyScene::Update(
     const auto known = given.find(item.Prop);
     key.Add("given spheres", known == given.end() ? nullptr : known->second);
   }
-  if (key == this->Key)
+  if (!this->Key.Take(std::move(key)))
   {
     return false;
   }
-  this->Key = std::move(key);
   this->Spheres.clear();
   this->Polygons.clear();
   this->Props.clear();
@@ -428,7 +427,7 @@ bool vtkIndirectProxyScene::AddGlyphs(const Part& part, vtkDataSet* data)
   {
     const bool one = source.size() == 1 && source.front()->GetNumberOfPoints() > 0;
     all = all && source.size() <= 1;
-    sources.push_back(one ? &this->Shapes.FindBody(part.Prop, source.front()) : nullptr);
+    sources.push_back(one ? &this->Shapes.Find(source.front(), true) : nullptr);
   }
   if (sources.empty())
   {
@@ -476,7 +475,7 @@ void vtkIndirectProxyScene::AddMeshes(const Part& part)
 //------------------------------------------------------------------------------
 void vtkIndirectProxyScene::AddMesh(const Part& part, vtkPolyData* mesh)
 {
-  const vtkIndirectProxyShapes::Shape& shape = this->Shapes.Find(part.Prop, mesh);
+  const vtkIndirectProxyShapes::Shape& shape = this->Shapes.Find(mesh, false);
   this->Sheets += shape.Kind == vtkIndirectProxyShapes::SHEET ? 1 : 0;
   if (!shape.LeftOut.empty())
   {

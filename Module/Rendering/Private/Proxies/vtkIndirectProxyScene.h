@@ -63,8 +63,6 @@ public:
   {
     return this->LeftOut;
   }
-  /** Returns the number of times that a mesh was examined. */
-  int GetNumberOfFits() const { return this->Shapes.GetNumberOfFits(); }
   void AddToReport(vtkIndirectReport& report) const;
   void Forget() { this->Key.Clear(); }
 

@@ -343,12 +343,11 @@ bool vtkIndirectProxyShapes::IsSheet(vtkPolyData* mesh)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh)
+void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh, bool exact)
 {
-  ++this->NumberOfFits;
   known.Made = Shape();
   known.Filter = nullptr;
-  if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
+  if (mesh->GetNumberOfPoints() == 0 || mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
   {
     known.Made.LeftOut = "it has no surface";
     return;
@@ -361,6 +360,10 @@ void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh)
   if (FindPolygon(mesh, known.Made))
   {
     known.Made.Kind = POLYGON;
+    return;
+  }
+  if (exact)
+  {
     return;
   }
   if (IsSheet(mesh))
@@ -385,12 +388,12 @@ void vtkIndirectProxyShapes::Fit(Known& known, vtkPolyData* mesh)
   copy->SetStrips(mesh->GetStrips());
   known.Filter->SetInputDataObject(0, copy);
   known.Made.Kind = FITTED;
-  this->Move(known, nullptr);
+  Move(known, nullptr);
 }
 
 //------------------------------------------------------------------------------
 // Takes the filter's spheres, moved with the points of the mesh, if there is one.
-bool vtkIndirectProxyShapes::Move(Known& known, vtkPolyData* mesh)
+void vtkIndirectProxyShapes::Move(Known& known, vtkPolyData* mesh)
 {
   if (mesh)
   {
@@ -413,48 +416,24 @@ bool vtkIndirectProxyShapes::Move(Known& known, vtkPolyData* mesh)
   {
     known.Made.LeftOut = "no spheres could be made of it";
   }
-  return !known.Made.Spheres.empty();
 }
 
 //------------------------------------------------------------------------------
-const vtkIndirectProxyShapes::Shape& vtkIndirectProxyShapes::Find(vtkProp* prop, vtkPolyData* mesh)
+const vtkIndirectProxyShapes::Shape& vtkIndirectProxyShapes::Find(vtkPolyData* mesh, bool exact)
 {
-  Known& known = this->All[{ prop, mesh }];
+  Known& known = this->All[{ mesh, exact }];
   known.Used = true;
-  const vtkMTimeType time = mesh->GetMTime();
-  const vtkMTimeType cells = std::max(mesh->GetPolys()->GetMTime(), mesh->GetStrips()->GetMTime());
-  if (known.Time == time)
+  if (known.Mesh.Take({ "mesh", mesh }))
   {
-    return known.Made;
-  }
-  if (known.Filter && known.CellsTime == cells && known.NumberOfPoints == mesh->GetNumberOfPoints())
-  {
-    this->Move(known, mesh);
-  }
-  else
-  {
-    this->Fit(known, mesh);
-  }
-  known.Time = time;
-  known.CellsTime = cells;
-  known.NumberOfPoints = mesh->GetNumberOfPoints();
-  return known.Made;
-}
-
-//------------------------------------------------------------------------------
-const vtkIndirectProxyShapes::Shape& vtkIndirectProxyShapes::FindBody(
-  vtkProp* prop, vtkPolyData* mesh)
-{
-  Known& known = this->All[{ prop, mesh }];
-  known.Used = true;
-  if (known.Time != mesh->GetMTime())
-  {
-    known.Made = Shape();
-    known.Time = mesh->GetMTime();
-    ++this->NumberOfFits;
-    if (!FindSpheres(mesh, known.Made) || known.Made.Spheres.size() != 1)
+    vtkIndirectKey cells("cells", mesh->GetPolys());
+    cells.Add("cells", mesh->GetStrips()).Add("points", mesh->GetNumberOfPoints());
+    if (known.Cells.Take(std::move(cells)) || !known.Filter)
     {
-      known.Made = Shape();
+      Fit(known, mesh, exact);
+    }
+    else
+    {
+      Move(known, mesh);
     }
   }
   return known.Made;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The representation of a mesh: the spheres or the flat polygon that it consists of, or else
-// spheres that a filter fits to it. Kept while the mesh is the same; if only its points move, the
-// filter's spheres move with them.
+// spheres that a filter fits to it. It is kept while the mesh is the same; if only its points move,
+// the filter's spheres move with them.
 #pragma once
 
+#include "Frame/vtkIndirectKey.h"           // for members
 #include "Proxies/vtkIndirectProxySphere.h" // for shapes
 
 #include "vtkSmartPointer.h" // for the filter
-#include "vtkType.h"         // for times
+#include "vtkType.h"         // for ids
 
 #include <map>     // for known shapes
 #include <string>  // for reasons
@@ -16,7 +17,6 @@
 
 class vtkPolyData;
 class vtkPolyDataAlgorithm;
-class vtkProp;
 
 class vtkIndirectProxyShapes
 {
@@ -36,22 +36,18 @@ public:
   };
   enum KindType
   {
-    NOTHING,
+    NOTHING, // the mesh has no representation, or no exact one
     SPHERES, // the mesh consists of spheres
     POLYGON, // the mesh is a flat polygon
     FITTED,  // spheres fitted by a filter
     SHEET    // a sheet, which has no representation
   };
 
-  /** Returns the representation of a mesh drawn by this prop. */
-  const Shape& Find(vtkProp* prop, vtkPolyData* mesh);
-  /** Returns the representation of a closed body: one sphere, or none. */
-  const Shape& FindBody(vtkProp* prop, vtkPolyData* mesh);
+  /** Returns the representation of a mesh. exact: without the spheres of a filter. */
+  const Shape& Find(vtkPolyData* mesh, bool exact);
 
   /** Ends a frame: forgets meshes not used since the last call. */
   void Forget();
-  /** Returns the number of times that a mesh was examined. */
-  int GetNumberOfFits() const { return this->NumberOfFits; }
 
   ///@{
   /** The parts of Find: false if the mesh has no such shape. */
@@ -65,16 +61,14 @@ private:
   struct Known
   {
     Shape Made;
-    vtkMTimeType Time = 0;      // time of the mesh
-    vtkMTimeType CellsTime = 0; // time of its cells
-    vtkIdType NumberOfPoints = 0;
+    vtkIndirectKey Mesh;
+    vtkIndirectKey Cells; // all of the mesh that does not move with its points
     vtkSmartPointer<vtkPolyDataAlgorithm> Filter;
     bool Used = false;
   };
 
-  void Fit(Known& known, vtkPolyData* mesh);
-  bool Move(Known& known, vtkPolyData* mesh);
+  static void Fit(Known& known, vtkPolyData* mesh, bool exact);
+  static void Move(Known& known, vtkPolyData* mesh);
 
-  std::map<std::pair<vtkProp*, vtkPolyData*>, Known> All;
-  int NumberOfFits = 0;
+  std::map<std::pair<vtkPolyData*, bool>, Known> All; // by mesh and `exact`
 };

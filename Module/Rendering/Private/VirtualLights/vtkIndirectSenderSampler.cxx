@@ -62,9 +62,7 @@ bool vtkIndirectSenderSampler::UpdateScene(const vtkIndirectFrame& frame)
     // Maps are fitted to the casters' wide bounds.
     key.Add("bounds", caster.Bounds, 6).Add("wide bounds", caster.GetFit(), 6);
   }
-  const bool changed = key != this->Scene;
-  this->Scene = std::move(key);
-  return changed;
+  return this->Scene.Take(std::move(key));
 }
 
 //------------------------------------------------------------------------------

@@ -45,16 +45,13 @@ bool vtkIndirectSkyProjection::Result::HasStrong() const
 const vtkIndirectSkyProjection::Result& vtkIndirectSkyProjection::Find(
   vtkEnvironmentLight* environment, int count)
 {
-  vtkIndirectKey key;
-  key.Add("environment", environment);
-  if (key != this->Environment)
+  if (this->Environment.Take({ "environment", environment }))
   {
     for (auto& known : this->Results)
     {
       known.second.Nearest.clear();
       known.second.Light.clear();
     }
-    this->Environment = key;
   }
   Result& result = this->Results[count];
   if (!result.Light.empty())

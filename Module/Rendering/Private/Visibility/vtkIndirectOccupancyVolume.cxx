@@ -180,11 +180,10 @@ bool vtkIndirectOccupancyVolume::Update(
   {
     caster.AppendTo(key);
   }
-  if (key == this->Key)
+  if (!this->Key.Take(std::move(key)))
   {
     return false;
   }
-  this->Key = key;
   const glm::dvec3 lower = frame.ToScene(vtkIndirectFrame::GetCorner(frame.SceneBounds, 0));
   const glm::dvec3 upper = frame.ToScene(vtkIndirectFrame::GetCorner(frame.SceneBounds, 7));
   this->Clear(lower, upper, resolution);
