@@ -6,11 +6,9 @@
 #include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
+#include "Frame/vtkIndirectTriangles.h"
 #include "vtkActor.h"
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkOpenGLBufferObject.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkRenderer.h"
 #include "vtkTimeStamp.h"
@@ -89,25 +87,23 @@ std::vector<vtkIndirectMeshParts*> vtkIndirectCoarseLevels::GetAll() const
 std::string vtkIndirectCoarseLevels::Read(vtkPolyData* mesh, Given& level)
 {
   level.Source = mesh;
-  auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(mesh->GetPolys()->NewIterator());
-  for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
+  const vtkIdType size = mesh->GetPolys()->IsHomogeneous(); // 0 without cells
+  if (size != 3 && size != 0)
   {
-    vtkIdType size = 0;
-    const vtkIdType* points = nullptr;
-    it->GetCurrentCell(size, points);
-    if (size != 3)
-    {
-      return "polygons of a coarse level are triangles";
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      level.Indices.push_back(static_cast<unsigned int>(points[i]));
-    }
+    return "polygons of a coarse level are triangles";
   }
-  if (level.Indices.empty() || mesh->GetNumberOfStrips() > 0)
+  if (size == 0 || mesh->GetNumberOfStrips() > 0)
   {
     return "a coarse level has triangles, and no strips";
   }
+  vtkIndirectTriangles::ForEach(mesh,
+    [&level](vtkIdType, const vtkIndirectTriangles::Points& points)
+    {
+      for (const vtkIdType point : points)
+      {
+        level.Indices.push_back(static_cast<unsigned int>(point));
+      }
+    });
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     glm::dvec3 p;

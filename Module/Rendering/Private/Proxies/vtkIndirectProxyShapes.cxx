@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxyShapes.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
+#include "Frame/vtkIndirectTriangles.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataAlgorithm.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <iterator>
 
 namespace
@@ -32,30 +29,18 @@ constexpr size_t MostCorners = 8;
 // Class that fits spheres to meshes, in an optional module: it registers itself by this name.
 const char* const FilterName = "vtkSphereProxyFilter";
 
-// Calls the function with the points of each polygon and strip, and with true for a strip.
-void ForCells(vtkPolyData* mesh, const std::function<void(vtkIdType, const vtkIdType*, bool)>& call)
-{
-  for (vtkCellArray* cells : { mesh->GetPolys(), mesh->GetStrips() })
-  {
-    auto it = vtkSmartPointer<vtkCellArrayIterator>::Take(cells->NewIterator());
-    for (it->GoToFirstCell(); !it->IsDoneWithTraversal(); it->GoToNextCell())
-    {
-      vtkIdType size = 0;
-      const vtkIdType* points = nullptr;
-      it->GetCurrentCell(size, points);
-      if (size > 2)
-      {
-        call(size, points, cells == mesh->GetStrips());
-      }
-    }
-  }
-}
-
 glm::dvec3 GetPoint(vtkPolyData* mesh, vtkIdType i)
 {
   double p[3];
   mesh->GetPoint(i, p);
   return { p[0], p[1], p[2] };
+}
+
+// Returns twice the area of a triangle, along its normal.
+glm::dvec3 FindCross(vtkPolyData* mesh, const vtkIndirectTriangles::Points& points)
+{
+  const glm::dvec3 a = GetPoint(mesh, points[0]);
+  return glm::cross(GetPoint(mesh, points[1]) - a, GetPoint(mesh, points[2]) - a);
 }
 
 // Fits the least-squares sphere through points: |p|^2 = 2 p c + k about their mean.
@@ -162,16 +147,14 @@ bool vtkIndirectProxyShapes::FindSpheres(vtkPolyData* mesh, Shape& shape)
     return i;
   };
   std::vector<vtkIdType> cellOf(count, -1); // any cell of each point
-  vtkIdType cell = mesh->GetNumberOfVerts() + mesh->GetNumberOfLines();
-  ForCells(mesh,
-    [&](vtkIdType size, const vtkIdType* points, bool)
+  vtkIndirectTriangles::ForEach(mesh,
+    [&](vtkIdType cell, const vtkIndirectTriangles::Points& points)
     {
-      for (vtkIdType i = 0; i < size; ++i)
+      for (const vtkIdType point : points)
       {
-        cellOf[static_cast<size_t>(points[i])] = cell;
-        piece[static_cast<size_t>(find(points[i]))] = find(points[0]);
+        cellOf[static_cast<size_t>(point)] = cell;
+        piece[static_cast<size_t>(find(point))] = find(points[0]);
       }
-      ++cell;
     });
   std::vector<std::pair<vtkIdType, vtkIdType>> members; // piece and point
   for (size_t i = 0; i < count; ++i)
@@ -212,26 +195,14 @@ bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
 {
   glm::dvec3 normal(0.0);
   double area = 0.0;
-  auto forTriangles =
-    [mesh](const std::function<void(const glm::dvec3&, const glm::dvec3&, const glm::dvec3&)>& call)
-  {
-    ForCells(mesh,
-      [&](vtkIdType size, const vtkIdType* points, bool)
-      {
-        for (vtkIdType i = 2; i < size; ++i)
-        {
-          call(GetPoint(mesh, points[0]), GetPoint(mesh, points[i - 1]), GetPoint(mesh, points[i]));
-        }
-      });
-  };
   if (mesh->GetNumberOfStrips() > 0 || mesh->GetNumberOfPolys() == 0)
   {
     return false;
   }
-  forTriangles(
-    [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+  vtkIndirectTriangles::ForEach(mesh,
+    [&](vtkIdType, const vtkIndirectTriangles::Points& points)
     {
-      const glm::dvec3 cross = glm::cross(b - a, c - a);
+      const glm::dvec3 cross = FindCross(mesh, points);
       normal += glm::dot(cross, normal) < 0.0 ? -cross : cross;
       area += 0.5 * glm::length(cross);
     });
@@ -248,12 +219,12 @@ bool vtkIndirectProxyShapes::FindPolygon(vtkPolyData* mesh, Shape& shape)
   const double size = std::sqrt(area);
   std::vector<glm::dvec2> flat;
   bool isFlat = true;
-  forTriangles(
-    [&](const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+  vtkIndirectTriangles::ForEach(mesh,
+    [&](vtkIdType, const vtkIndirectTriangles::Points& points)
     {
-      for (const glm::dvec3& p : { a, b, c })
+      for (const vtkIdType point : points)
       {
-        const glm::dvec3 d = p - origin;
+        const glm::dvec3 d = GetPoint(mesh, point) - origin;
         isFlat = isFlat && std::abs(glm::dot(d, normal)) <= Flatness * size;
         flat.emplace_back(glm::dot(d, right), glm::dot(d, up));
       }
@@ -314,23 +285,14 @@ bool vtkIndirectProxyShapes::IsSheet(vtkPolyData* mesh)
   }
   std::map<std::pair<vtkIdType, vtkIdType>, int> edges;
   double area = 0.0;
-  auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    const vtkIdType ids[3] = { merged[static_cast<size_t>(a)], merged[static_cast<size_t>(b)],
-      merged[static_cast<size_t>(c)] };
-    const glm::dvec3 first = GetPoint(mesh, a);
-    area += 0.5 * glm::length(glm::cross(GetPoint(mesh, b) - first, GetPoint(mesh, c) - first));
-    for (int i = 0; i < 3; ++i)
+  vtkIndirectTriangles::ForEach(mesh,
+    [&](vtkIdType, const vtkIndirectTriangles::Points& points)
     {
-      ++edges[std::minmax(ids[i], ids[(i + 1) % 3])];
-    }
-  };
-  ForCells(mesh,
-    [&](vtkIdType size, const vtkIdType* points, bool strip)
-    {
-      for (vtkIdType i = 2; i < size; ++i)
+      area += 0.5 * glm::length(FindCross(mesh, points));
+      for (size_t i = 0; i < 3; ++i)
       {
-        add(points[strip ? i - 2 : 0], points[i - 1], points[i]);
+        ++edges[std::minmax(merged[static_cast<size_t>(points[i])],
+          merged[static_cast<size_t>(points[(i + 1) % 3])])];
       }
     });
   double border = 0.0;

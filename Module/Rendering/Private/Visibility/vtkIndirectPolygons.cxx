@@ -4,11 +4,10 @@
 #include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectKey.h"
+#include "Frame/vtkIndirectTriangles.h"
 #include "Visibility/vtkIndirectGlyphs.h"
 #include "vtkActor.h"
 #include "vtkAssemblyPath.h"
-#include "vtkCellArray.h"
-#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCompositeDataDisplayAttributes.h"
 #include "vtkDataObjectTree.h"
@@ -19,7 +18,6 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
@@ -293,44 +291,26 @@ void vtkIndirectPolygons::Fill(const vtkIndirectFrame& frame, const glm::dmat4& 
     }
   }
 
-  auto add = [&](vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    // A triangle that a plane cuts counts as a whole: it blocks too much by at most its own length.
-    if ((shown[static_cast<size_t>(a)] || shown[static_cast<size_t>(b)] ||
-          shown[static_cast<size_t>(c)]) &&
-      there[static_cast<size_t>(a)] && there[static_cast<size_t>(b)] &&
-      there[static_cast<size_t>(c)])
+  vtkIndirectTriangles::ForEach(this->Data,
+    [&](vtkIdType cell, const vtkIndirectTriangles::Points& ids)
     {
-      this->Triangles.push_back({ static_cast<uint32_t>(cell),
-        { static_cast<uint32_t>(first + a), static_cast<uint32_t>(first + b),
-          static_cast<uint32_t>(first + c) } });
-    }
-  };
-  // Cell data count vertices and lines first.
-  vtkIdType cell = this->Data->GetNumberOfVerts() + this->Data->GetNumberOfLines();
-  vtkIdType count;
-  const vtkIdType* ids;
-  auto polygons = vtk::TakeSmartPointer(this->Data->GetPolys()->NewIterator());
-  for (polygons->GoToFirstCell(); !polygons->IsDoneWithTraversal();
-       polygons->GoToNextCell(), ++cell)
-  {
-    polygons->GetCurrentCell(count, ids);
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      add(cell, ids[0], ids[i - 1], ids[i]);
-    }
-  }
-  auto strips = vtk::TakeSmartPointer(this->Data->GetStrips()->NewIterator());
-  for (strips->GoToFirstCell(); !strips->IsDoneWithTraversal(); strips->GoToNextCell(), ++cell)
-  {
-    strips->GetCurrentCell(count, ids);
-    for (vtkIdType i = 2; i < count; ++i)
-    {
-      // Every second triangle of a strip has the opposite winding.
-      const vtkIdType odd = i % 2;
-      add(cell, ids[i - 2 + odd], ids[i - 1 - odd], ids[i]);
-    }
-  }
+      Triangle triangle = { static_cast<uint32_t>(cell), {} };
+      bool isShown = false;
+      bool isThere = true;
+      for (size_t i = 0; i < 3; ++i)
+      {
+        const auto id = static_cast<size_t>(ids[i]);
+        isShown = isShown || shown[id];
+        isThere = isThere && there[id];
+        triangle.Points[i] = static_cast<uint32_t>(first + id);
+      }
+      // A triangle that a plane cuts counts as a whole: it blocks too much by at most its own
+      // length.
+      if (isShown && isThere)
+      {
+        this->Triangles.push_back(triangle);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
