@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/vtkIndirectSphereMotion.h"
 
-#include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectInformationKeys.h"
+#include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxyLight.h"
-#include "vtkActor.h"
-#include "vtkDataObject.h"
 #include "vtkEnvironmentLight.h"
-#include "vtkMapper.h"
 
 #include <utility>
 
@@ -69,18 +66,10 @@ double vtkIndirectSphereMotion::CountSplats(const vtkIndirectFrame& frame)
   double splats = 0.0;
   for (vtkProp* prop : frame.Props)
   {
-    if (!vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows()))
+    if (vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows()))
     {
-      continue;
+      splats += vtkIndirectProxyKinds::FindSpheres(prop).NumberOfSplats;
     }
-    vtkIndirectActors::ForEach(prop,
-      [&splats](vtkActor* actor, vtkMatrix4x4*)
-      {
-        vtkDataObject* data = vtkIndirectProxyKinds::IsOfCutSplats(actor)
-          ? actor->GetMapper()->GetInputDataObject(0, 0)
-          : nullptr;
-        splats += data ? static_cast<double>(data->GetNumberOfElements(vtkDataObject::POINT)) : 0.0;
-      });
   }
   return splats;
 }
@@ -119,12 +108,12 @@ std::string vtkIndirectSphereMotion::FindWhyNot(const vtkIndirectFrame& frame, d
   size_t polygons = 0;
   for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    const vtkIndirectProxyKinds::Kind kind = this->Kinds.Find(caster.Prop);
+    const vtkIndirectProxyKinds::Kind kind = vtkIndirectProxyKinds::Find(caster.Prop, this->Shapes);
     spheres += kind.NumberOfSpheres;
     polygons += kind.NumberOfPolygons;
     why = kind.Other.empty() ? why : kind.Other;
   }
-  this->Kinds.Forget();
+  this->Shapes.Forget();
   const size_t most = vtkIndirectProxyLight::MostPolygons;
   return !why.empty()       ? why
     : polygons > most       ? "there are more than " + std::to_string(most) + " flat polygons"

@@ -12,7 +12,8 @@
 // motion, still ones too, so that their shadows do not come and go.
 #pragma once
 
-#include "Proxies/vtkIndirectProxyKinds.h"          // for a member
+#include "Frame/vtkIndirectKey.h"                   // for a member
+#include "Proxies/vtkIndirectProxyShapes.h"         // for a member
 #include "VirtualLights/vtkIndirectSkyProjection.h" // for a member
 
 #include <string>        // for reasons
@@ -50,7 +51,7 @@ private:
     vtkIndirectKey Places;
   };
   std::unordered_map<vtkProp*, Before> Props;
-  vtkIndirectProxyKinds Kinds;
+  vtkIndirectProxyShapes Shapes;
   int Changes = 0; // number of successive frames with motion
   int Idle = 0;    // number of successive frames without it, since then
   bool Moved = false;

@@ -2,19 +2,22 @@
 #include "Proxies/vtkIndirectProxyKinds.h"
 
 #include "Frame/vtkIndirectActors.h"
-#include "Proxies/vtkIndirectProxyMolecules.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "vtkActor.h"
-#include "vtkDataSetMapper.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
-#include "vtkOpenGLSphereMapper.h"
-#include "vtkOpenGLStickMapper.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+
+// Uses only headers of atoms, so that without molecules no library of chemistry is needed.
+#if __has_include("vtkOpenGLMoleculeMapper.h")
+#include "vtkOpenGLMoleculeMapper.h"
+#include "vtkOpenGLSphereMapper.h"
+#include "vtkOpenGLStickMapper.h"
+#define VTKI_MOLECULES
+#endif
 
 #include <cstring>
 
@@ -26,42 +29,68 @@ constexpr vtkIdType MostCells = 20000;
 // rotated.
 constexpr double MostOffset = 1e-3;
 
-enum MapperType
-{
-  MESH,
-  BALLS,
-  STICKS,
-  GLYPHS,
-  MOLECULE
-};
-
-int FindType(vtkMapper* mapper)
-{
 #ifdef VTKI_MOLECULES
-  if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper))
+// Access to protected members of VTK.
+struct MoleculeAccess : public vtkOpenGLMoleculeMapper
+{
+  static vtkMapper* GetBonds(vtkOpenGLMoleculeMapper* mapper)
   {
-    return MOLECULE;
+    return (mapper->*(&MoleculeAccess::FastBondMapper)).Get();
   }
+};
 #endif
-  return vtkOpenGLSphereMapper::SafeDownCast(mapper) ? BALLS
-    : vtkOpenGLStickMapper::SafeDownCast(mapper)     ? STICKS
-    : vtkGlyph3DMapper::SafeDownCast(mapper)         ? GLYPHS
-                                                     : MESH;
-}
 
-void AddSpheres(vtkMapper* mapper, vtkMatrix4x4* matrix, vtkIndirectProxyKinds::Kind& kind)
+double Count(vtkMapper* mapper, int elements)
 {
   vtkDataObject* data = mapper->GetInputDataObject(0, 0);
-  if (!data)
-  {
-    return;
-  }
-  const int type = FindType(mapper);
-  kind.NumberOfSpheres += (type == STICKS ? vtkIndirectProxySticks::MostSpheresOfAStick : 1) *
-    static_cast<double>(
-      data->GetNumberOfElements(type == MOLECULE ? vtkDataObject::VERTEX : vtkDataObject::POINT));
-  kind.Places.Add("data", data).Add("matrix", matrix->GetData(), 16);
+  return data ? static_cast<double>(data->GetNumberOfElements(elements)) : 0.0;
 }
+
+const vtkIndirectProxyShapes::Shape& FindShape(vtkPolyData* mesh, vtkIndirectProxyShapes& shapes)
+{
+  static const vtkIndirectProxyShapes::Shape none;
+  return mesh && mesh->GetNumberOfCells() <= MostCells ? shapes.Find(mesh, true) : none;
+}
+
+// Mappers of other classes may draw other things.
+void AddMesh(vtkMapper* mapper, vtkIndirectProxyShapes& shapes, vtkIndirectProxyKinds::Kind& kind)
+{
+  const bool plain = std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 ||
+    std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0;
+  auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  const int shape = FindShape(plain ? mesh : nullptr, shapes).Kind;
+  kind.NumberOfPolygons += shape == vtkIndirectProxyShapes::POLYGON ? 1 : 0;
+  if (shape == vtkIndirectProxyShapes::NOTHING)
+  {
+    kind.Other = "there is a mesh that is neither flat and convex nor made of spheres";
+  }
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectProxyKinds::MapperType vtkIndirectProxyKinds::FindType(vtkMapper* mapper)
+{
+  return mapper->IsA("vtkOpenGLMoleculeMapper") ? MOLECULE
+    : mapper->IsA("vtkOpenGLSphereMapper")      ? BALLS
+    : mapper->IsA("vtkOpenGLStickMapper")       ? STICKS
+    : mapper->IsA("vtkPointGaussianMapper")     ? SPLATS
+    : mapper->IsA("vtkGlyph3DMapper")           ? GLYPHS
+                                                : MESH;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectProxyKinds::Molecule vtkIndirectProxyKinds::FindMolecule(
+  [[maybe_unused]] vtkMapper* mapper)
+{
+  Molecule found;
+#ifdef VTKI_MOLECULES
+  if (auto* molecule = vtkOpenGLMoleculeMapper::SafeDownCast(mapper))
+  {
+    found.Bonds = molecule->GetRenderBonds() ? MoleculeAccess::GetBonds(molecule) : nullptr;
+    found.Atoms = molecule->GetRenderAtoms() ? molecule->GetFastAtomMapper() : nullptr;
+  }
+#endif
+  return found;
 }
 
 //------------------------------------------------------------------------------
@@ -71,9 +100,18 @@ vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::FindSpheres(vtkProp* prop)
   vtkIndirectActors::ForEach(prop,
     [&kind](vtkActor* actor, vtkMatrix4x4* matrix)
     {
-      if (FindType(actor->GetMapper()) != MESH)
+      vtkMapper* mapper = actor->GetMapper();
+      const MapperType type = FindType(mapper);
+      if (type == SPLATS)
       {
-        AddSpheres(actor->GetMapper(), matrix, kind);
+        kind.NumberOfSplats += IsOfCutSplats(actor) ? Count(mapper, vtkDataObject::POINT) : 0.0;
+      }
+      else if (type != MESH)
+      {
+        kind.NumberOfSpheres += (type == STICKS ? vtkIndirectProxySticks::MostSpheresOfAStick : 1) *
+          Count(mapper, type == MOLECULE ? vtkDataObject::VERTEX : vtkDataObject::POINT);
+        kind.Places.Add("data", mapper->GetInputDataObject(0, 0))
+          .Add("matrix", matrix->GetData(), 16);
       }
     });
   return kind;
@@ -89,64 +127,49 @@ bool vtkIndirectProxyKinds::IsOfCutSplats(vtkActor* actor)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::Find(vtkProp* prop)
+vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::Find(
+  vtkProp* prop, vtkIndirectProxyShapes& shapes)
 {
   Kind kind = FindSpheres(prop);
-  vtkIndirectActors::ForEach(
-    prop, [this, &kind](vtkActor* actor, vtkMatrix4x4*) { this->AddActor(actor, kind); });
+  vtkIndirectActors::ForEach(prop,
+    [&](vtkActor* actor, vtkMatrix4x4*)
+    {
+      vtkMapper* mapper = actor->GetMapper();
+      const MapperType type = FindType(mapper);
+      if (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0)
+      {
+        kind.Other = "something is cut by clipping planes";
+      }
+      else if (type == GLYPHS)
+      {
+        const std::string why = FindWhyNoGlyphs(mapper, shapes);
+        kind.Other = why.empty() ? kind.Other : why;
+      }
+      else if (type == MOLECULE && FindMolecule(mapper).Bonds)
+      {
+        // A bond has two sticks, one for each atom: this is an upper bound.
+        kind.NumberOfSpheres +=
+          2.0 * vtkIndirectProxySticks::MostSpheresOfAStick * Count(mapper, vtkDataObject::EDGE);
+      }
+      else if ((type == MESH || type == SPLATS) &&
+        actor->GetProperty()->GetRepresentation() == VTK_SURFACE)
+      {
+        AddMesh(mapper, shapes, kind);
+      }
+    });
   return kind;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyKinds::AddActor(vtkActor* actor, Kind& kind)
-{
-  vtkMapper* mapper = actor->GetMapper();
-  if (mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0)
-  {
-    kind.Other = "something is cut by clipping planes";
-    return;
-  }
-  switch (FindType(mapper))
-  {
-    case BALLS:
-    case STICKS:
-      return;
-    case GLYPHS:
-    {
-      const std::string why = this->FindWhyNoGlyphs(mapper);
-      kind.Other = why.empty() ? kind.Other : why;
-      return;
-    }
-#ifdef VTKI_MOLECULES
-    case MOLECULE:
-      if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper)->GetRenderBonds())
-      {
-        // A bond has two sticks, one for each atom: this is an upper bound.
-        vtkDataObject* molecule = mapper->GetInputDataObject(0, 0);
-        kind.NumberOfSpheres += !molecule ? 0.0
-                                          : 2.0 * vtkIndirectProxySticks::MostSpheresOfAStick *
-            static_cast<double>(molecule->GetNumberOfElements(vtkDataObject::EDGE));
-      }
-      return;
-#endif
-    default:
-      if (actor->GetProperty()->GetRepresentation() == VTK_SURFACE)
-      {
-        this->AddMesh(mapper, kind);
-      }
-  }
-}
-
-//------------------------------------------------------------------------------
-std::string vtkIndirectProxyKinds::FindWhyNoGlyphs(vtkMapper* mapper)
+std::string vtkIndirectProxyKinds::FindWhyNoGlyphs(
+  vtkMapper* mapper, vtkIndirectProxyShapes& shapes)
 {
   auto* glyphs = vtkGlyph3DMapper::SafeDownCast(mapper);
   const int count = glyphs->GetNumberOfInputConnections(1);
   bool balls = count > 0 && !glyphs->GetUseSourceTableTree();
   for (int i = 0; balls && i < count; ++i)
   {
-    const std::vector<vtkIndirectProxySphere>& spheres =
-      this->FindShape(glyphs->GetSource(i)).Spheres;
+    const auto& spheres = FindShape(glyphs->GetSource(i), shapes).Spheres;
     balls = spheres.size() == 1 &&
       glm::length(spheres.front().Center) <= MostOffset * spheres.front().Radius;
   }
@@ -154,26 +177,4 @@ std::string vtkIndirectProxyKinds::FindWhyNoGlyphs(vtkMapper* mapper)
     : glyphs->GetScaling() && glyphs->GetScaleMode() == vtkGlyph3DMapper::SCALE_BY_COMPONENTS
     ? "glyphs are stretched spheres"
     : "";
-}
-
-//------------------------------------------------------------------------------
-// Mappers of other classes may draw other things.
-void vtkIndirectProxyKinds::AddMesh(vtkMapper* mapper, Kind& kind)
-{
-  const bool plain = std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0 ||
-    std::strcmp(mapper->GetClassName(), "vtkDataSetMapper") == 0;
-  auto* mesh = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
-  const int shape = this->FindShape(plain ? mesh : nullptr).Kind;
-  kind.NumberOfPolygons += shape == vtkIndirectProxyShapes::POLYGON ? 1 : 0;
-  if (shape == vtkIndirectProxyShapes::NOTHING)
-  {
-    kind.Other = "there is a mesh that is neither flat and convex nor made of spheres";
-  }
-}
-
-//------------------------------------------------------------------------------
-const vtkIndirectProxyShapes::Shape& vtkIndirectProxyKinds::FindShape(vtkPolyData* mesh)
-{
-  static const vtkIndirectProxyShapes::Shape none;
-  return mesh && mesh->GetNumberOfCells() <= MostCells ? this->Shapes.Find(mesh, true) : none;
 }

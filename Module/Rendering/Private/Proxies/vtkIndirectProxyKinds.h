@@ -1,49 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tells if spheres can represent everything that a prop draws, without collecting them: by its
-// mappers, and by the shapes of meshes, each examined once.
+// The kinds of mappers that spheres represent, and whether spheres can represent everything that a
+// prop draws: known without collecting them, by mappers and by the shapes of meshes.
 #pragma once
 
 #include "Frame/vtkIndirectKey.h"           // for places
-#include "Proxies/vtkIndirectProxyShapes.h" // for a member
+#include "Proxies/vtkIndirectProxyShapes.h" // for shapes
 
 #include <string> // for reasons
 
 class vtkActor;
 class vtkMapper;
-class vtkPolyData;
 class vtkProp;
 
-class vtkIndirectProxyKinds
+namespace vtkIndirectProxyKinds
 {
-public:
-  struct Kind
-  {
-    /** Balls that a mapper draws by itself: atoms, particles, spherical glyphs. */
-    double NumberOfSpheres = 0.0;
-    size_t NumberOfPolygons = 0; // flat and convex
-    /** This is the content for which vtkProxyAccumulationPass has no exact representation; empty if
-     * there is none. */
-    std::string Other;
-    vtkIndirectKey Places; // the inputs of the spheres' positions
-  };
-
-  /** Counts the spheres of mappers that draw only spheres; without reasons in Other, and without
-   * examining meshes. */
-  static Kind FindSpheres(vtkProp* prop);
-  /** Returns true if an actor draws opaque splats that its shader code clips by `discard`, so that
-   * they look like spheres. Other splats fade out and are translucent. */
-  static bool IsOfCutSplats(vtkActor* actor);
-  /** Examines all of a prop. */
-  Kind Find(vtkProp* prop);
-  /** Reason why the glyphs of a vtkGlyph3DMapper are not spheres; empty if they are. */
-  std::string FindWhyNoGlyphs(vtkMapper* mapper);
-  /** Ends a frame: forgets unused meshes. */
-  void Forget() { this->Shapes.Forget(); }
-
-private:
-  void AddActor(vtkActor* actor, Kind& kind);
-  void AddMesh(vtkMapper* mapper, Kind& kind);
-  const vtkIndirectProxyShapes::Shape& FindShape(vtkPolyData* mesh);
-
-  vtkIndirectProxyShapes Shapes;
+enum MapperType
+{
+  MESH,
+  BALLS,
+  STICKS,
+  GLYPHS,
+  SPLATS,
+  MOLECULE
 };
+MapperType FindType(vtkMapper* mapper);
+
+/** The mappers by which a molecule's mapper draws, null where it draws none. */
+struct Molecule
+{
+  vtkMapper* Bonds = nullptr;
+  vtkMapper* Atoms = nullptr;
+};
+Molecule FindMolecule(vtkMapper* mapper);
+
+struct Kind
+{
+  /** Balls that a mapper draws by itself: atoms, particles, spherical glyphs. */
+  double NumberOfSpheres = 0.0;
+  double NumberOfSplats = 0.0; // see IsOfCutSplats
+  size_t NumberOfPolygons = 0; // flat and convex
+  /** This is the content for which vtkProxyAccumulationPass has no exact representation; empty if
+   * there is none. */
+  std::string Other;
+  vtkIndirectKey Places; // the inputs of the spheres' positions
+};
+
+/** Counts the spheres of mappers that draw only spheres, and splats; without reasons in Other, and
+ * without examining meshes. */
+Kind FindSpheres(vtkProp* prop);
+/** Returns true if an actor draws opaque splats that its shader code clips by `discard`, so that
+ * they look like spheres. Other splats fade out and are translucent. */
+bool IsOfCutSplats(vtkActor* actor);
+/** Examines all of a prop, meshes with `shapes`. */
+Kind Find(vtkProp* prop, vtkIndirectProxyShapes& shapes);
+/** Returns the reason why the glyphs of a vtkGlyph3DMapper are not spheres; empty if they are. */
+std::string FindWhyNoGlyphs(vtkMapper* mapper, vtkIndirectProxyShapes& shapes);
+}

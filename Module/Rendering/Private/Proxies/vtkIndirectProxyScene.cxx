@@ -9,7 +9,6 @@
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectRevision.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
-#include "Proxies/vtkIndirectProxyMolecules.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "Visibility/vtkIndirectGlyphs.h"
 #include "vtkActor.h"
@@ -19,7 +18,6 @@
 #include "vtkMatrix4x4.h"
 #include "vtkObject.h"
 #include "vtkOpenGLSphereMapper.h"
-#include "vtkOpenGLStickMapper.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
@@ -46,20 +44,6 @@ struct SphereAccess : public vtkOpenGLSphereMapper
 };
 const char* const NoBlockers = "they block no indirect light; the result is too bright";
 
-// Returns true if a mapper draws spheres or sticks of given radii.
-bool IsOfSpheres(vtkMapper* mapper)
-{
-#ifdef VTKI_MOLECULES
-  if (vtkOpenGLMoleculeMapper::SafeDownCast(mapper))
-  {
-    return true;
-  }
-#endif
-  return vtkOpenGLSphereMapper::SafeDownCast(mapper) ||
-    vtkOpenGLStickMapper::SafeDownCast(mapper) || vtkGlyph3DMapper::SafeDownCast(mapper) ||
-    vtkPointGaussianMapper::SafeDownCast(mapper);
-}
-
 // Returns the polygons of a mapper that draws them unchanged, or of data sets.
 vtkDataObject* FindMeshes(vtkMapper* mapper)
 {
@@ -75,7 +59,7 @@ vtkDataObject* FindMeshes(vtkMapper* mapper)
 
 bool IsOfSplats(vtkActor* actor)
 {
-  return vtkPointGaussianMapper::SafeDownCast(actor->GetMapper()) != nullptr;
+  return vtkIndirectProxyKinds::FindType(actor->GetMapper()) == vtkIndirectProxyKinds::SPLATS;
 }
 
 // Returns true if an actor, or one in an assembly, draws splats.
@@ -179,7 +163,6 @@ bool vtkIndirectProxyScene::Update(
     }
   }
   this->Shapes.Forget();
-  this->Kinds.Forget();
   const std::string wrong = this->Wrong == 0
     ? ""
     : std::to_string(this->Wrong) + " spheres of " + this->WrongProp +
@@ -288,40 +271,36 @@ void vtkIndirectProxyScene::AddPart(const Part& part, const Given& given)
 //------------------------------------------------------------------------------
 void vtkIndirectProxyScene::AddActor(const Part& part)
 {
+  namespace Kinds = vtkIndirectProxyKinds;
   const size_t before = this->Spheres.size();
   const bool segments = this->User == SEGMENTS;
-  if (segments && IsOfSpheres(part.Mapper) && this->IsOfEllipsoids(part))
+  const Kinds::MapperType type = Kinds::FindType(part.Mapper);
+  if (segments && type != Kinds::MESH && this->IsOfEllipsoids(part))
   {
     this->LeaveOut("spheres that a matrix stretches", NoBlockers);
-    return;
   }
-#ifdef VTKI_MOLECULES
-  if (auto* molecule = vtkOpenGLMoleculeMapper::SafeDownCast(part.Mapper))
+  else if (type == Kinds::MOLECULE)
   {
-    if (molecule->GetRenderBonds())
+    const Kinds::Molecule molecule = Kinds::FindMolecule(part.Mapper);
+    for (vtkMapper* drawn : { molecule.Bonds, molecule.Atoms })
     {
       Part inner = part;
-      inner.Mapper = vtkIndirectProxySticks::FindBonds(molecule);
-      this->AddActor(inner);
+      inner.Mapper = drawn;
+      if (drawn)
+      {
+        this->AddActor(inner);
+      }
     }
-    vtkOpenGLSphereMapper* atoms = molecule->GetFastAtomMapper();
-    if (molecule->GetRenderAtoms())
-    {
-      Part inner = part;
-      inner.Mapper = atoms;
-      this->AddActor(inner);
-    }
-    return;
   }
-#endif
-  if (auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(part.Mapper))
+  else if (type == Kinds::BALLS)
   {
+    auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(part.Mapper);
     ForEachBlock<vtkDataSet>(spheres->GetInputDataObject(0, 0),
       [&](vtkDataSet* data)
       { this->AddPoints(part, data, SphereAccess::GetArray(spheres), spheres->GetRadius()); });
     this->Exact += this->Spheres.size() - before;
   }
-  else if (vtkOpenGLStickMapper::SafeDownCast(part.Mapper))
+  else if (type == Kinds::STICKS)
   {
     ForEachBlock<vtkDataSet>(part.Mapper->GetInputDataObject(0, 0),
       [&](vtkDataSet* data)
@@ -334,14 +313,14 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
       });
     this->OfSticks += this->Spheres.size() - before;
   }
-  else if (vtkPointGaussianMapper::SafeDownCast(part.Mapper))
+  else if (type == Kinds::SPLATS)
   {
     this->AddGaussians(part);
     this->Exact += this->Spheres.size() - before;
   }
-  else if (vtkGlyph3DMapper::SafeDownCast(part.Mapper))
+  else if (type == Kinds::GLYPHS)
   {
-    const std::string why = segments ? this->Kinds.FindWhyNoGlyphs(part.Mapper) : "";
+    const std::string why = segments ? Kinds::FindWhyNoGlyphs(part.Mapper, this->Shapes) : "";
     if (!why.empty())
     {
       this->LeaveOut(why, NoBlockers);

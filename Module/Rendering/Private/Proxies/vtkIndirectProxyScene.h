@@ -5,7 +5,6 @@
 #pragma once
 
 #include "Frame/vtkIndirectKey.h"           // for keys
-#include "Proxies/vtkIndirectProxyKinds.h"  // for a member
 #include "Proxies/vtkIndirectProxyShapes.h" // for a member
 
 #include <map>     // for the user's spheres
@@ -90,7 +89,6 @@ private:
   std::vector<const vtkProp*> Props;
   std::vector<const vtkMapper*> Mappers;
   vtkIndirectProxyShapes Shapes;
-  vtkIndirectProxyKinds Kinds;
   glm::dvec3 SceneCenter{ 0.0 };
   double SceneScale = 1.0;
   size_t Exact = 0;    // spheres directly from the data

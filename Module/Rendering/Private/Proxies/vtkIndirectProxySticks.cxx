@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxySticks.h"
 
-#include "Proxies/vtkIndirectProxyMolecules.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkMath.h"
@@ -25,33 +24,12 @@ struct StickAccess : public vtkOpenGLStickMapper
     return mapper->*(&StickAccess::OrientationArray);
   }
 };
-#ifdef VTKI_MOLECULES
-struct MoleculeAccess : public vtkOpenGLMoleculeMapper
-{
-  static vtkMapper* GetBonds(vtkOpenGLMoleculeMapper* mapper)
-  {
-    return (mapper->*(&MoleculeAccess::FastBondMapper)).Get();
-  }
-};
-#endif
 
 vtkDataArray* FindVectors(vtkDataSet* data, const char* name)
 {
   vtkDataArray* array = name ? data->GetPointData()->GetArray(name) : nullptr;
   return array && array->GetNumberOfComponents() == 3 ? array : nullptr;
 }
-}
-
-//------------------------------------------------------------------------------
-vtkMapper* vtkIndirectProxySticks::FindBonds(vtkMapper* mapper)
-{
-#ifdef VTKI_MOLECULES
-  auto* molecule = vtkOpenGLMoleculeMapper::SafeDownCast(mapper);
-  return molecule ? MoleculeAccess::GetBonds(molecule) : nullptr;
-#else
-  static_cast<void>(mapper);
-  return nullptr;
-#endif
 }
 
 //------------------------------------------------------------------------------

@@ -30,8 +30,6 @@ enum RowType
   INSIDE    // inside the stick
 };
 
-/** The mapper of a molecule's bonds; null for any other mapper. */
-vtkMapper* FindBonds(vtkMapper* molecule);
 /**
  * Returns the number of spheres for a stick, and their radius; none for a stick without length or
  * radius.
