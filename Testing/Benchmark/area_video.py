@@ -7,9 +7,10 @@
 
 The video, slices through data sets (slices.py), runs on a display on a wall of area_apartment and
 is its only light; its pixels are encoded (sRGB) as those of any video. The strip has still
-pictures, of four samples a pixel, linear radiance encoded likewise. What is measured are frames while the camera turns
-at the rate that VTK's interactors ask for, each with the video's next picture, and in turn with
-them frames of plain VTK, which has a vtkLight in the place of the display: medians, by wall clock.
+pictures, of four samples a pixel, linear radiance encoded likewise. It measures frames while
+the camera turns at the rate that VTK's interactors ask for, each with the video's next picture, and
+in turn with them frames of plain VTK, which has a vtkLight in the place of the display: medians, by
+wall clock.
 """
 
 from __future__ import annotations

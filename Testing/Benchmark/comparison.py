@@ -48,7 +48,7 @@ LIGHTS_ALONE = {
     TRACER: "its rows trace VTK's lights only",
     "flicker": "the path's reference R1 knows VTK's lights only",
 }
-"""Why something is not measured in a scene with an environment or area lights."""
+"""The reasons why something is not measured in a scene with an environment or area lights."""
 
 
 @dataclass
@@ -67,7 +67,7 @@ class Comparison:
     """Python of the reference environment, or None."""
     flip: Flip | None = None
     left_out: dict[str, str] = field(default_factory=dict)
-    """Why there is no HDR-FLIP, no path tracer or no denoiser, by its name."""
+    """The reason why there is no HDR-FLIP, no path tracer or no denoiser, by its name."""
     denoiser: Denoiser | None = None
 
     @property
@@ -254,7 +254,7 @@ class Run(compare.Run):
         return self.judge(seen) | self._pictures(row, seen)
 
     def _flickers(self, row: Row) -> bool:
-        """Whether a row is measured along the camera's path, too."""
+        """Return whether a row is measured along the camera's path, too."""
         wanted = self.comparison.sweep.flicker
         return wanted if isinstance(wanted, bool) else row.label in wanted
 

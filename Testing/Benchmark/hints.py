@@ -38,7 +38,7 @@ class Published(NamedTuple):
     triangles: int
     grid: tuple[int, int, int]
     samples: int
-    """Of maps, for each hint."""
+    """Samples of maps for each hint."""
     order_2: tuple[float, float, float]
     """Milliseconds on a GeForce GTX 285: first bounce, second bounce, look-up at 1024 x 1024."""
     order_3: tuple[float, float, float]

@@ -231,7 +231,7 @@ def part_pixels(rounds: int, size: int) -> None:
             return apply
 
         # More lights for the sums: with the usual number they are a few milliseconds of a small
-        # picture, and differences of times come out as noise. What is there without sums: one light.
+        # picture, and differences of times come out as noise. One light shows the rest alone.
         ways = {
             f"{e} {n}": choose(e, n) for e in (size // 2, size) for n in (1, LIGHTS, 4 * LIGHTS)
         }

@@ -2,7 +2,7 @@
 """Flicker: how much more an image changes along a path of the camera than it should.
 
 The camera turns around its focal point in small steps, half of them to either side of where the
-scene has it. How much the image should change is what R1 changes, with smaller maps than for the
+scene has it. The image should change as much as R1 changes, with smaller maps than for the
 errors: rendered at a fraction of the size, so that its pixels are centres of blocks of pixels, and
 compared with the very same points of the row's images.
 """

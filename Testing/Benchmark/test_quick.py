@@ -27,7 +27,7 @@ SCENES = ("contact_corner", "two_rooms")
 
 
 def why_no_yardsticks() -> str | None:
-    """Why there is neither a path tracer, nor HDR-FLIP, nor a denoiser here, or None."""
+    """Return why there is neither a path tracer, nor HDR-FLIP, nor a denoiser here, or None."""
     try:
         python = reference_environment.find_python(None)
         for worker in (reference_environment.Flip, reference_environment.Denoiser):

@@ -73,8 +73,8 @@ def deviation(now: np.ndarray, stored: np.ndarray) -> Deviation:
 def is_out_of_date(alternative: Path) -> bool:
     """Return whether an alternative is of another state of the project than the baseline beside it.
 
-    What another driver or version of VTK draws otherwise is a part of the picture: of those there
-    are, up to 36 % of the blocks. Where light has changed since, nearly all blocks differ.
+    Another driver or version of VTK draws a part of the picture otherwise: up to 36 % of the blocks
+    of the alternatives there are. Where light has changed since, nearly all blocks differ.
     """
     case = alternative.stem.rpartition("_")[0]
     paths = alternative.with_name(f"{case}.json"), alternative.with_suffix(".json")

@@ -331,8 +331,8 @@ class Command(DirectoryTest):
     def test_shadows_of_area_lights(self) -> None:
         """A1 when all maps are there: a lamp over boxes, two over a machine, a window's picture.
 
-        What 1024 points with exact visibility leave is 0.002, 0.002 and 0.020 of these; and A1's
-        own noise 0.001, 0.001 and 0.008. The rest are texels. Bars before the window hide nearly
+        1024 points with exact visibility leave 0.002, 0.002 and 0.020 of these, and A1's own noise
+        0.001, 0.001 and 0.008. The rest are texels. Bars before the window hide nearly
         the same share of the 16 places that light the room as of the window.
         """
         stored = SCENES.parent / "Reference" / "data"

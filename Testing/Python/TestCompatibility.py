@@ -131,7 +131,7 @@ class Import(support.DirectoryTest):
     def test_no_key_is_pythons(self) -> None:
         """VTK deletes all keys when a process ends; what Python has made it deletes before.
 
-        A newer VTK than 9.1 then deletes them twice. Those of C++ classes are VTK's alone.
+        A newer VTK than 9.1 then deletes them twice. Keys of C++ classes are VTK's alone.
         """
         for path in Path(vtkindirect.__file__).parent.glob("*.py"):
             self.assertNotIn("Key.MakeKey(", path.read_text(encoding="utf-8"), path.name)

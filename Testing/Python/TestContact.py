@@ -263,7 +263,7 @@ class Contact(unittest.TestCase):
         share = hidden[seen] / free[seen]
         print(f"least share {share.min():.3f}, pixels below 0.99: {(share < 0.99).sum()}")
         self.assertGreater(seen.sum(), 20000)
-        # Of three facets that meet in a texel, one may hide a part of another: 2 pixels, 0.984.
+        # One of three facets that meet in a texel may hide a part of another: 2 pixels, 0.984.
         self.assertLess((share < 0.99).sum(), 1e-4 * seen.sum())
         self.assertGreater(share.min(), 0.95)
 

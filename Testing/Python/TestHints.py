@@ -128,7 +128,7 @@ class Hints(unittest.TestCase):
     @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "references are OpenEXR files")
     def test_half_of_the_papers_error(self) -> None:
         # Four bounces against the paper's two, for exact ones with two alone have more than half of
-        # its error; and with a finer grid against as many. Of their light no more than a tenth is
+        # its error; and with a finer grid against as many. No more than a tenth of their light is
         # lost: the grid's corners and what a ray's share of the sphere hides.
         for name in ("room_fire", "apartment_living"):
             stored = support.SOURCE / "Testing" / "Reference" / "data" / f"{name}.exr"

@@ -52,7 +52,7 @@ BALLS = (
     ("ball_sizes_in_place", "ball_radius", "ball_scalars_in_place", "glyph_scale_factor"),
     ("atom_moved", "atom_radius", "atom_element", "property_diffuse"),
 )
-# What maps hold of a prop alone, in groups of four.
+# Changes that maps of a prop alone hold, in groups of four.
 GROUPED = [name for name in CHANGES if name not in ALONE]
 GROUPS = [GROUPED[first : first + 4] for first in range(0, len(GROUPED), 4)]
 # Few lights: caches follow what has changed, not how many lights are drawn again.
@@ -195,7 +195,7 @@ class Stale(unittest.TestCase):
         return vtkindirect.report(renderer)["counters"]["faces_drawn"]
 
     def test_levels_of_level_actors(self) -> None:
-        """How long drawing takes decides which level VTK draws, so maps follow all of them."""
+        """The time of drawing decides which level VTK draws, so maps follow all of them."""
         level = make_ball(0.3)
         prop = vtkLODActor()
         prop.SetMapper(make_mapper(make_ball()))

@@ -468,7 +468,7 @@ def hidden():
     return prop, lambda: prop.VisibilityOff()
 
 
-# Those above are drawn one by one, those below in groups.
+# The changes above are drawn one by one, those below in groups.
 ALONE = tuple(CHANGES)
 
 

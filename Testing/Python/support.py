@@ -97,8 +97,8 @@ def command_line(*words: Any, **environment: str) -> subprocess.CompletedProcess
 def command_line_here(*words: Any, **how: Any) -> subprocess.CompletedProcess[str]:
     """Run the command line in this process, which need not load VTK again.
 
-    What it says is what stands in the descriptors 1 and 2, so that words of VTK's C++ are seen as
-    they are of a process of its own. `how` goes to `cli.main`.
+    Its words are those in the descriptors 1 and 2, so that words of VTK's C++ are seen as they are
+    of a process of its own. `how` goes to `cli.main`.
     """
     from vtkindirect import cli
 

@@ -116,7 +116,7 @@ class Part:
 
 
 class Work:
-    """A scene being traced. What is done lies in a folder, named by all that it depends on."""
+    """A scene being traced. A folder, named by all that it depends on, holds the finished work."""
 
     def __init__(self, path: Path, settings: Settings, meter: Meter) -> None:
         self.settings = settings
@@ -331,7 +331,7 @@ def trace_bounce(work: Work, known: Estimate) -> tuple[Estimate, dict[str, Any]]
 def trace_pairs(work: Work) -> tuple[dict[str, Estimate], dict[str, dict[str, Any]]]:
     """Trace all references of a scene; returns them and their records, by their names.
 
-    Of several kinds of emitters each has its first reference, and the last kind has all light.
+    Each of several kinds of emitters has its first reference, and the last kind has all light.
     """
     found: dict[str, Estimate] = {}
     records: dict[str, dict[str, Any]] = {}

@@ -285,8 +285,8 @@ class KnownAnswers(Traced):
         """Compare S1 of the actor of a colour with L (1 - factor(points, normal)).
 
         An estimate is a fraction p of N stratified directions that are free, whose error is at most
-        that of independent ones, sqrt(p (1 - p) / N) <= 0.5 / sqrt(N). Of some 1000 pixels the
-        worst may be four times that; the mean of M pixels has 1 / sqrt(M) of it. The tracer's rays
+        that of independent ones, sqrt(p (1 - p) / N) <= 0.5 / sqrt(N). The worst of some 1000
+        pixels may be four times that; the mean of M pixels has 1 / sqrt(M) of it. The tracer's rays
         start 5e-5 of the diagonal above the surface, which adds to that 5e-4.
         """
         self.trace(tools.SCENES / f"{name}.json", batches=[self.batch("sky", self.SAMPLES)])

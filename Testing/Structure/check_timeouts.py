@@ -4,7 +4,7 @@
 
     Testing/Structure/check_timeouts.py CTEST BUILD SECONDS
 
-That is one number, large enough to end only what hangs. A test that gives up on its own before,
+The limit is one number, large enough to end only what hangs. A test that gives up on its own before,
 such as by subprocess.run(timeout=...), would be judged by the clock.
 """
 

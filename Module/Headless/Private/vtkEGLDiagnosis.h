@@ -9,8 +9,8 @@ struct vtkEGLMachine;
 namespace vtkEGLDiagnosis
 {
 /** Reason why no card renders, and the remedy, in one line. Empty if no card could render, or if
- * the environment requests software. Of several reasons it gives the one nearest to rendering:
- * cards with device files come before those that only the kernel lists. */
+ * the environment requests software. If there are several reasons, it is the one nearest to
+ * rendering: cards with device files come before those that only the kernel lists. */
 std::string Explain(const vtkEGLMachine& machine);
 
 /** Reason why the device with that render node cannot be used, in one line; empty if none is

@@ -17,7 +17,7 @@ namespace card
 struct Method;
 
 /**
- * The buffers that a method's frame is checked by. Those that do not depend on the method are
+ * The buffers that a method's frame is checked by. Buffers that do not depend on the method are
  * checked with "automatic"; `window` is the picture, of eight bits a channel.
  */
 std::vector<std::string> GetBufferNames(const Method& method);

@@ -165,8 +165,8 @@ void ForgetAll(const card::Options& options)
 }
 
 //------------------------------------------------------------------------------
-// Whose results these are, or null. What another OpenGL or another pack has found is not mixed with
-// them.
+// Names the system and the pack that the results are of, or null. Results of another OpenGL or
+// another pack are not mixed with them.
 Json GetContext(const card::Options& options)
 {
   const Json found = card::LoadPart(options.Output, "opengl");

@@ -348,7 +348,7 @@ class Pack:
         for path in self.files:
             for library, version, _ in versions(path):
                 wanted[library].add(version)
-        lines = ["# What the programs need of the system, or else of the pack; gpu reads this."]
+        lines = ["# Versions needed of the system, or else of the pack; gpu reads this."]
         for name in sorted(wanted):
             if GLIBC.match(name):
                 lines.append(" ".join(["system", name, *sorted(wanted[name])]))

@@ -1,10 +1,10 @@
 // gpu: the program by which a pack is used. It starts a program of the pack on a system about which
 // nothing is known: so it is linked statically, and asks neither for a shell nor for /proc or /dev.
 //
-// Two things are its work. What the dynamic loader would say in many lines of names and versions,
-// it says in one. And it decides about libraries that the pack has and a driver of OpenGL may load,
-// too: a process has only one libstdc++, and the driver's LLVM may need a newer one than the pack
-// has. So the system's is taken when it has all versions of symbols that the programs ask for;
+// Two things are its work. It says in one line what the dynamic loader would say in many lines of
+// names and versions. And it decides about libraries that the pack has and a driver of OpenGL may
+// load, too: a process has only one libstdc++, and the driver's LLVM may need a newer one than the
+// pack has. So the system's is taken when it has all versions of symbols that the programs ask for;
 // otherwise the pack's, which is then the newer one.
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The benchmark for cards, in small, on the OpenGL that is here.
 
-What it computes is compared with what the Python package computes; what it must find is put in its
-way: buffers that differ, programs that crash, time that runs out.
+The tests compare its buffers with those of the Python package, and put faults in its way that it
+must find: buffers that differ, programs that crash, time that runs out.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ that is ever so busy; none decides what a test finds."""
 
 
 def why_not() -> str | None:
-    """Why the benchmark cannot be tried here, or None."""
+    """Return why the benchmark cannot be tried here, or None."""
     if not PROGRAM:
         return "IndirectCardBenchmark was not built"
     if not wrapped.has("vtkOpenEXRReader"):

@@ -49,7 +49,7 @@ int main(int count, char** words)
 
 
 def why_no_roots() -> str | None:
-    """Why no folder can become the root here, or None."""
+    """Return why no folder can become the root here, or None."""
     if None in CHANGE_ROOT:
         return "chroot or unshare is missing"
     done = run(*CHANGE_ROOT, "/", "true")

@@ -134,7 +134,7 @@ void Count(Scene& scene, int& within, int& beside)
 
 //------------------------------------------------------------------------------
 // Colours of cells and pixels, lit and unlit, flat, curved and at a grazing angle.
-// What VTK does not light is VTK's picture, too.
+// Data that VTK does not light are VTK's picture, too.
 VTK_INDIRECT_TEST(OutlinesAreNotInData)
 {
   auto check = [](const std::string& what, const Vec3& eye, const std::function<void(Scene&)>& add,

@@ -107,7 +107,7 @@ void AddTexel(
   }
 }
 
-// Where a grid lies, and the number of its first hint.
+// The place of a grid, and the number of its first hint.
 struct GridPlace
 {
   glm::dvec3 Lower{ 0.0 };

@@ -286,8 +286,8 @@ VTK_INDIRECT_TEST(HintsGlyphsBesideMeshes)
 }
 
 // A table of rays that is too long for a texture with the usual rows: 262144 hints of 400 rays make
-// 25600 rows of 1024 texels, those of 256 rays 16384. What stands before a wall hides as much of
-// the lit floor by the one as by the other, for hints at the far end of the table.
+// 25600 rows of 1024 texels, those of 256 rays 16384. A sheet before a wall hides as much of the
+// lit floor by the one as by the other, for hints at the far end of the table.
 VTK_INDIRECT_TEST(HintsManyRays)
 {
   double hidden[2];

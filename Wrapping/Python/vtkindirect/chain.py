@@ -59,7 +59,7 @@ def _children(parent: Any) -> Iterator[tuple[str, Any]]:
 def links(top: Any) -> Iterator[tuple[Any, str, Any]]:
     """Yield (pass, property of its parent, parent) for a pass and all below it, once each.
 
-    What the project's own pass delegates to is its own affair.
+    The passes that the project's own pass delegates to are its own affair.
     """
     seen = set()
     waiting = [(top, "", None)] if top is not None else []

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The command line ``vtk-indirect``.
 
-What is wrong with the input is one line on standard error and exit code 2; what goes wrong at run
-time is one line and exit code 1. Nothing is written unless everything went well.
+A mistake in the input is one line on standard error and exit code 2; a failure at run time is one
+line and exit code 1. Nothing is written unless everything went well.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Reads data files with VTK's readers. One row of `READERS` is one kind of file.
 
-What a reader reports about a file is its error. A file is looked at before only where its reader
+The report of a reader about a file is its error. A file is looked at before only where its reader
 would end or stall the whole program instead.
 """
 
@@ -121,9 +121,9 @@ def _check_ply(path: Path) -> None:
 def _tidied_pdb(path: Path) -> bytes:
     """Return the text without what newer versions of VTK's reader end the whole program for.
 
-    That is blank lines, carriage returns, what is not ASCII or controls something, what stands
-    after the 80 columns of a line, which the reader takes for another line, and residues without a
-    number; an atom without a position cannot be mended.
+    It leaves out blank lines, carriage returns, what is not ASCII or controls something, what
+    stands after the 80 columns of a line, which the reader takes for another line, and residues
+    without a number; an atom without a position cannot be mended.
     """
     tidied = []
     text = path.read_text("utf-8", "replace").encode("ascii", "replace")

@@ -76,7 +76,7 @@ class Job:
 def percentile_95(values: list[float]) -> float:
     """Return the least of the values that at least 95 % of them do not exceed.
 
-    That is what the reports of the passes mean by ``p95_ms``, too.
+    The reports of the passes mean the same by ``p95_ms``.
     """
     return sorted(values)[(95 * len(values) + 99) // 100 - 1]
 
@@ -187,7 +187,7 @@ def _maps_first(indirect: Any, on: bool) -> Iterator[None]:
 def moving(scene: Scene, window: vtkRenderWindow, count: int) -> float:
     """Return the median milliseconds of frames of a camera that turns, by the pass that is on.
 
-    What the pass keeps is there already. Camera and rate are as they were afterwards.
+    All that the pass keeps is there already. Camera and rate are as they were afterwards.
     """
     times = []
     with messages.capture() as said:
@@ -221,7 +221,7 @@ def render(
     Several frames are those of a camera that turns in a
     scene that stands still, by so little that no pixel changes, and ends where it was. ``wall_ms``
     is the time of a frame, ``processor_ms`` the processor time that all threads of this process
-    spend meanwhile: those of a renderer that draws on the processor among them. Those frames that
+    spend meanwhile: those of a renderer that draws on the processor among them. The frames that
     make what is kept are apart (``first_ms``, ``warm_up_frames``): depth maps are all there before
     a frame is measured, where `MOST_FILLING_FRAMES` suffice for them. A single frame is rendered
     again until then, with light in the last of them (``MapsFirst``), and ``wall_ms`` is the time of

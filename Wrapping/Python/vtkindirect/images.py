@@ -190,7 +190,7 @@ interrupts.before_end(_remove_unfinished)
 def complete_file(path: Path) -> Iterator[Path]:
     """Give the name of a temporary file that becomes `path` when all went well.
 
-    It is beside the file that `path` stands for, which keeps its permissions. What is in it goes
+    It is beside the file that `path` stands for, which keeps its permissions. Its content goes
     into a stream as a whole.
     """
     try:

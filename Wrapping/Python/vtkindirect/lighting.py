@@ -63,7 +63,7 @@ def choose(
 ) -> tuple[str, str]:
     """Return the preset that "auto" stands for, and why.
 
-    That is "full" where nobody has placed lights in the scene: where it has none but those that
+    It is "full" where nobody has placed lights in the scene: where it has none but those that
     follow the camera, however many; else "scene". `environment` is the pass's, or None, and
     `area_lights` how many it has.
     """

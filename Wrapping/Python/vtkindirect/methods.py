@@ -234,7 +234,7 @@ def _forget(renderer: vtkRenderer) -> _Record | None:
 def renderers_of(target: Any) -> Iterator[vtkRenderer]:
     """Yield the renderers that a renderer, a render window or a plotter stands for.
 
-    Of a window these are all its renderers; of a plotter with subplots the active one, as with
+    A window stands for all its renderers, a plotter with subplots for the active one, as with
     PyVista's own effects.
     """
     if isinstance(target, vtkRenderer):
@@ -267,8 +267,8 @@ def _configure(
 ) -> None:
     """Bring the pass to a method and set properties; keeps what a call does not mention.
 
-    What was asked for earlier holds for another estimator or sampler, too, where it has it. After
-    an error everything is as it was.
+    Earlier settings hold for another estimator or sampler, too, where it has them. After an error
+    everything is as it was.
     """
     indirect = record.indirect
     before = indirect.GetEstimator(), indirect.GetSampler()

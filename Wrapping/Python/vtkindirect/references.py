@@ -54,7 +54,7 @@ class References:
     """Receivers: pixels in which a path tracer sees the same surface."""
     images: dict[str, np.ndarray] = field(default_factory=dict)
     missing: dict[str, str] = field(default_factory=dict)
-    """Why a reference is not there, by its name."""
+    """The reason why a reference is not there, by its name."""
     surfaces: np.ndarray | None = None
     """All pixels with a surface, which R1 counts: it comes from the very same pixels."""
 

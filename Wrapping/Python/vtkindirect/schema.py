@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Checks JSON values against ``*.schema.json``: defaults are filled in, a mistake is one line.
 
-What a schema cannot say, such as that two points differ, is a function of `CHECKS`; the schema
+A function of `CHECKS` says what a schema cannot, such as that two points differ; the schema
 names it with the keyword ``x-check``. These run when everything else is right.
 """
 

@@ -2,7 +2,7 @@
 """Sets properties of VTK objects by name, from text or from Python values.
 
 A property ``Name`` is a pair of methods ``SetName`` and ``GetName``; with methods ``SetNameToThis``
-it is an enumeration whose values are written ``this``. What is set is read back: VTK clamps in
+it is an enumeration whose values are written ``this``. Each value is read back: VTK clamps in
 silence, and here a value that did not take is an error.
 """
 

@@ -42,8 +42,8 @@ def _centers(image: vtkImageData) -> vtkImageData:
 def at_points(data: vtkDataSet, found: arrays.Found) -> tuple[vtkDataSet, arrays.Found]:
     """Return data with an array at its points, and the array there.
 
-    Cells of an image become voxels: points at their centres. Of other cells each point has the mean
-    of those around it.
+    Cells of an image become voxels: points at their centres. Else each point has the mean of the
+    cells around it.
     """
     if found.on_points:
         return data, found

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Keeps the handles of PyVista's 3D widgets out of the lights' maps.
 
-VTK's older 3D widgets, which PyVista uses, put actors into the renderer like any others. What tells
-them is their property: a widget has methods that return the properties of its actors.
+VTK's older 3D widgets, which PyVista uses, put actors into the renderer like any others. Their
+property tells them: a widget has methods that return the properties of its actors.
 """
 
 from __future__ import annotations

@@ -13,8 +13,8 @@
  *
  * Visibility enters VTK's shading by a local variable that shadows the uniform lightColorN.
  * Constants in the same place let the compiler drop cones, powers and lobes that no light or
- * material of the frame has. Of VTK's own code only the cosine of a cone's angle, the width of
- * faces' edges and the declaration of an environment's irradiance are matched as text; without a
+ * material of the frame has. VTK's own code is matched as text only for the cosine of a cone's
+ * angle, the width of faces' edges and the declaration of an environment's irradiance; without a
  * match nothing changes, so every material of VTK keeps working.
  *
  * Approximations: PBR's diffuse part is taken as albedo (1 - metallic) / pi, without VTK's (1 - F):

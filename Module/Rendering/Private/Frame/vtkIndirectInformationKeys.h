@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Keys for properties of props and lights for which VTK has no method. Those of a prop are in
-// vtkProp::SetPropertyKeys and set what the prop takes part in; those of a light are in the light's
+// Keys for properties of props and lights for which VTK has no method. A prop's keys are in
+// vtkProp::SetPropertyKeys and set what the prop takes part in; a light's keys are in the light's
 // information and vanish with the light. Users reach them by static methods of
 // vtkIndirectIlluminationPass, which document them.
 #pragma once

@@ -9,9 +9,9 @@
 
 namespace
 {
-// Up to this many spheres each have light of their own. Of more spheres about SpheresTogether share
-// a sender, or more where there would otherwise be too many senders: as groups have four parts, a
-// sender covers two to eight spheres.
+// Up to this many spheres each have light of their own. If there are more, about SpheresTogether
+// share a sender, or more where there would otherwise be too many senders: as groups have four
+// parts, a sender covers two to eight spheres.
 constexpr size_t FewSpheres = 2048;
 constexpr size_t SpheresTogether = 8;
 constexpr size_t MostSenders = 4096;

@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Check that comments are sentences of their own: none continues the name that it stands beside.
+
+    Testing/Structure/check_comments.py [ROOT]
+
+A sentence in a comment or a docstring does not begin with one of `WORDS`: "Whether it is drawn" has
+no subject but the name below it.
+"""
+
+from __future__ import annotations
+
+import re
+import sys
+from pathlib import Path
+
+from faults import report
+
+FOLDERS = ("Module", "Testing", "Wrapping")
+WORDS = "How|Of|That|Those|What|Whether|Whose|Why"
+FAULT = re.compile(rf"(?:^|[.!?]['\"`)]* +)({WORDS})\b")
+"""A word at the beginning of a line, or after the end of a sentence."""
+
+SLASHES = re.compile(r"//[^\n]*|/\*.*?\*/", re.DOTALL)
+HASHES = re.compile(r"#[^\n]*|^[ \t]*r?\"{3}.*?\"{3}", re.DOTALL | re.MULTILINE)
+COMMENTS = {suffix: SLASHES for suffix in (".c", ".cxx", ".glsl", ".h")} | {
+    suffix: HASHES for suffix in ("", ".cmake", ".py", ".txt")
+}
+"""Comments and docstrings, by the ending of a file."""
+
+MARK = re.compile(r"^\s*(?://+[/<!]*|/?\*+|#+|r?\"{3})?\s*")
+
+
+def find_faults(root: Path) -> list[str]:
+    """Return a line for each sentence in a comment that begins with one of `WORDS`."""
+    paths = [path for name in FOLDERS for path in sorted((root / name).rglob("*"))
+             if path.suffix in COMMENTS and path.is_file()]  # fmt: skip
+    faults = [] if len(paths) > 900 else [f"{root} has {len(paths)} sources only"]
+    for path in paths:
+        text = path.read_text(encoding="utf-8")
+        for comment in COMMENTS[path.suffix].finditer(text):
+            first = text.count("\n", 0, comment.start()) + 1
+            for number, line in enumerate(comment[0].splitlines(), first):
+                faults += [f"{path.relative_to(root)}:{number}: a sentence begins with {word!r}"
+                           for word in FAULT.findall(MARK.sub("", line))]  # fmt: skip
+    return faults
+
+
+def main() -> int:
+    """Print the faults; returns the exit code."""
+    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
+    return report(find_faults(root))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
