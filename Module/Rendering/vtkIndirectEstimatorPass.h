@@ -85,14 +85,9 @@ public:
 
   ///@{
   /**
-   * Alias for scripts: if vtkIndirectIlluminationPass::Visibility is AUTO, AUTO means VOXELS with
-   * this estimator. Default off, on for radiance hints. The report says whether voxels were used.
+   * Voxels along the longest edge of the scene, for vtkIndirectIlluminationPass::Visibility.
+   * Default 128, range 16 to 128.
    */
-  vtkIndirectFlagMacro(Occupancy);
-  ///@}
-
-  ///@{
-  /** Voxels along the longest edge of the scene. Default 128, range 16 to 128. */
   vtkIndirectClampMacro(OccupancyResolution, int, 16, 128);
   ///@}
 
@@ -112,7 +107,6 @@ private:
   struct SettingsType
   {
     bool SpecularTransport = true;
-    bool Occupancy = false;
     int OccupancyResolution = 128;
   };
   SettingsType Settings;

@@ -196,8 +196,8 @@ public:
    * (vtkRenderWindow::SetDesiredUpdateRate), including those of the environment. The number
    * follows from counts of maps, props and triangles, so that a busy machine draws the same
    * picture. Until all maps are drawn, lights share them, as directions of the environment do, and
-   * the report says so. AUTO (default): voxels if the estimator's Occupancy is on, else maps if
-   * the estimator can use them, else none.
+   * the report says so. AUTO (default): maps if the estimator can use them, voxels for radiance
+   * hints, none for others and with the preset PAPER.
    */
   vtkIndirectClampMacro(Visibility, int, AUTO, MAPS);
   void SetVisibilityToAuto() { this->SetVisibility(AUTO); }

@@ -47,7 +47,6 @@ public:
   std::vector<std::string> GetChannelNames() const override { return { Overdraw }; }
   int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
     const vtkIndirectGeometryBuffer& geometry) override;
-  double FindCutOffShare() const;
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
@@ -103,12 +102,6 @@ void SplatSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* 
   list.Add("IntensityThreshold", this->Set.GetIntensityThreshold())
     .Add("FarField", this->Set.GetFarField())
     .Add("FarFieldStep", this->Set.GetFarFieldStep());
-}
-
-//------------------------------------------------------------------------------
-double vtkIndirectSplattingPass::GetCutOffShare() const
-{
-  return static_cast<const SplatSum&>(vtkIndirectSum::Get(this)).FindCutOffShare();
 }
 
 //------------------------------------------------------------------------------
@@ -175,27 +168,17 @@ bool SplatSum::Sum(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-double SplatSum::FindCutOffShare() const
-{
-  if (!this->Window || this->FarField.GetBytes() == 0)
-  {
-    return 0.0;
-  }
-  this->Window->MakeCurrent();
-  return this->FarField.FindShare();
-}
-
-//------------------------------------------------------------------------------
 void SplatSum::AddToReport(vtkIndirectReport& report) const
 {
   this->vtkIndirectSum::AddToReport(report);
   const double threshold = this->Set.GetIntensityThreshold();
-  if (!(threshold > 0.0))
+  if (!(threshold > 0.0) || !this->Window || this->FarField.GetBytes() == 0)
   {
     return;
   }
+  this->Window->MakeCurrent();
   const std::string share =
-    vtkIndirectReport::Number(100.0 * this->FindCutOffShare(), 3) + " % of the irradiance";
+    vtkIndirectReport::Number(100.0 * this->FarField.FindShare(), 3) + " % of the irradiance";
   const std::string bounds = "the mean light's reaches " +
     vtkIndirectReport::Number(vtkIndirectKernels::VTKI_SPLAT_LENGTH / std::sqrt(threshold), 3) +
     " of the scene's diagonal";

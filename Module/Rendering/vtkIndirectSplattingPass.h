@@ -14,7 +14,8 @@
  * - If lights have branches (vtkLightTreeSampler), receivers near a light sum its branches, as the
  *   gather does, and the bound holds all of them.
  * - The light that the bounds cut off is not lost: it varies slowly, and is summed at every
- *   FarFieldStep-th pixel and interpolated (FarField). The report has its amount.
+ *   FarFieldStep-th pixel and interpolated (FarField). The report has its share of the irradiance,
+ *   by luminance, at these pixels, or without FarField at every 16th one.
  * - Sums do not depend on an order of drawing: splats are blended in 32-bit floats in the order of
  *   the lights, or, with OpenGL 4.3, summed in that order in tiles of 16 x 16 pixels, each of which
  *   lists the ellipsoids that its surfaces meet.
@@ -82,13 +83,6 @@ public:
   /** Pixels from one sample of the far field to the next. Default 8, range 2 to 64. */
   vtkIndirectClampMacro(FarFieldStep, int, 2, 64);
   ///@}
-
-  /**
-   * Returns the share of the last frame's irradiance that lay outside of the bounds, by luminance:
-   * measured at every FarFieldStep-th pixel, or without FarField at every 16th. 0 before a frame,
-   * and if all lights count everywhere.
-   */
-  double GetCutOffShare() const;
 
 protected:
   vtkIndirectSplattingPass();

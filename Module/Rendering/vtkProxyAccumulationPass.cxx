@@ -71,15 +71,12 @@ public:
   {
     return nullptr;
   }
+  void AppendTo(vtkIndirectKey& key, const Input& input) const override;
   size_t GetMainMemoryBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
   vtkIndirectProxyScene::Given Given;
   vtkIndirectProxyScene Scene;
-  int Step = 0; // step of the last frame
-  // Radii within which a sphere hides and sends light, without groups.
-  double Hides = 0.0;
-  double Sends = 0.0;
 
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
@@ -99,6 +96,10 @@ private:
   vtkIndirectProxySums Sums{ this };
   vtkIndirectTarget Sky{ this, SkyChannels, false };
   vtkIndirectKey TreeFor; // the inputs of the tree, but for the spheres; empty: there is none
+  int Step = 0;           // step of the last frame
+  // Radii within which a sphere hides and sends light, without groups.
+  double Hides = 0.0;
+  double Sends = 0.0;
   vtkIndirectProxyStep StepBySpheres;
   // Without groups an environment needs this reach, which was found for these inputs.
   vtkIndirectProxyReach Needed;
@@ -234,12 +235,6 @@ int vtkProxyAccumulationPass::GetNumberOfPolygons() const
 }
 
 //------------------------------------------------------------------------------
-int vtkProxyAccumulationPass::GetActiveReceiverStep() const
-{
-  return ProxySum::Get(this).Step;
-}
-
-//------------------------------------------------------------------------------
 vtkIndirectAbilities ProxySum::GetAbilities(double tolerance) const
 {
   vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
@@ -249,18 +244,26 @@ vtkIndirectAbilities ProxySum::GetAbilities(double tolerance) const
 }
 
 //------------------------------------------------------------------------------
+void ProxySum::AppendTo(vtkIndirectKey& key, const Input& input) const
+{
+  this->vtkIndirectSum::AppendTo(key, input);
+  key.Add("sky", input.Environment);
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectEstimate ProxySum::Estimate(const Input& input)
 {
   if (!this->Sum(input))
   {
     return {};
   }
-  vtkIndirectEstimate result = this->MakeResult();
-  result.Sky = &this->Sky;
-  result.Irradiance = nullptr;
-  result.SkyBounce =
-    this->Set.GetIndirectLight() == vtkProxyAccumulationPass::OFF ? nullptr : &this->Sky;
-  result.SkyBounceChannel = 1;
+  vtkIndirectEstimate result;
+  result.State = vtkIndirectEstimate::CONVERGED;
+  for (int i = 0; i < this->Sky.GetNumberOfChannels(); ++i)
+  {
+    result.Contributions.push_back(
+      { i == 0 ? vtkIndirectContribution::SKY : vtkIndirectContribution::BOUNCE, &this->Sky, i });
+  }
   return result;
 }
 
@@ -368,6 +371,10 @@ std::string ProxySum::DescribeReach() const
 //------------------------------------------------------------------------------
 void ProxySum::AddToReport(vtkIndirectReport& report) const
 {
+  if (report.Method == "off") // spheres may stand beside another estimator
+  {
+    report.Method = this->Set.GetMethodName();
+  }
   this->Scene.AddToReport(report);
   const size_t most = vtkIndirectProxyLight::MostPolygons;
   if (this->Scene.GetPolygons().size() > most)

@@ -74,8 +74,8 @@ public:
    * summed from scratch. 0: as many as leave about 16,000 receivers, at most 8; up to four times as
    * many receivers if the step exceeds the median radius of the spheres before the camera, in
    * pixels. A step is kept until radii are 0.15 beyond its limits, so that light does not flicker
-   * while the camera or spheres move; another size of the picture has its own step. Default 0,
-   * range 0 to 16.
+   * while the camera or spheres move; another size of the picture has its own step. The report has
+   * the step in force. Default 0, range 0 to 16.
    */
   vtkIndirectClampMacro(ReceiverStep, int, 0, 16);
   ///@}
@@ -180,8 +180,6 @@ public:
   /** Return the number of spheres, and of flat polygons, in the last frame. */
   int GetNumberOfSpheres() const;
   int GetNumberOfPolygons() const;
-  /** Returns the pixels from one receiver to the next; 0 before a frame. */
-  int GetActiveReceiverStep() const;
   ///@}
 
 protected:

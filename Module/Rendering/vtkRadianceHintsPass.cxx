@@ -24,7 +24,6 @@ vtkRadianceHintsPass::vtkRadianceHintsPass()
   : vtkIndirectEstimatorPass(std::make_unique<vtkIndirectHintSum>(*this))
   , Details(new vtkIndirectHintDetails)
 {
-  this->SetOccupancy(true);
 }
 
 vtkRadianceHintsPass::~vtkRadianceHintsPass() = default;
@@ -39,10 +38,9 @@ void vtkRadianceHintsPass::PrintSelf(ostream& os, vtkIndent indent)
 //------------------------------------------------------------------------------
 void vtkRadianceHintsPass::ApplyPreset()
 {
-  const bool paper = this->GetPreset() == PAPER;
   this->Settings = SettingsType();
-  *this->Details = paper ? vtkIndirectHintDetails::OfPaper() : vtkIndirectHintDetails();
-  this->SetOccupancy(!paper);
+  *this->Details =
+    this->GetPreset() == PAPER ? vtkIndirectHintDetails::OfPaper() : vtkIndirectHintDetails();
 }
 
 //------------------------------------------------------------------------------

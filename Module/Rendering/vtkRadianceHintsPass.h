@@ -12,12 +12,12 @@
  * The preset ROBUST goes beyond the paper: all of a map is read, in blocks, instead of some of its
  * texels; a sender is at least as large as a share of a hint's cell; irradiance is never negative,
  * nor too dark where light comes from one side; voxels of the scene's surfaces hide senders from
- * hints and hints from pixels (Occupancy); later bounces come from the surfaces that rays meet,
- * with their albedo, instead of from other hints; hints far from all surfaces are not computed if
- * all surfaces are polygons; pixels look up once.
+ * hints and hints from pixels; later bounces come from the surfaces that rays meet, with their
+ * albedo, instead of from other hints; hints far from all surfaces are not computed if all surfaces
+ * are polygons; pixels look up once.
  *
  * The preset PAPER (SetPreset) is the method as published: NumberOfSamples texels of the maps,
- * bounces from 32 other hints, four look-ups, no voxels (Occupancy).
+ * bounces from 32 other hints, four look-ups, no voxels.
  *
  * Approximations: order 2 or 3 of spherical harmonics blurs light over directions, the grid over
  * places; surfaces thinner than a voxel of the occupancy volume are a voxel thick.

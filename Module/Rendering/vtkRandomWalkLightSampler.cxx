@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -40,10 +42,10 @@ vtkIndirectKey MakeKey(
   vtkIndirectKey key;
   key.Add("number of vertices", settings.NumberOfVertices);
   key.Add("bounces", settings.FirstBounce).Add("bounces", settings.LastBounce);
-  for (const vtkIndirectEmitter& emitter : emitters)
+  for (const vtkIndirectLight& emitter : emitters)
   {
-    emitter.Light.AppendTo(key);
-    key.Add("strengths", emitter.Strength).Add("bounces", emitter.FirstBounce);
+    emitter.AppendTo(key);
+    key.Add("bounces", emitter.FirstBounce);
   }
   return key;
 }
@@ -126,13 +128,8 @@ void WalkLights::FindSenders(vtkIndirectFurtherSenders& senders) const
 bool WalkLights::Walk(const Input& input)
 {
   vtkIndirectEmitters::List emitters;
-  for (const vtkIndirectLight& light : input.Frame.Lights)
-  {
-    if (!light.Fill && light.Color != glm::dvec3(0.0))
-    {
-      emitters.push_back({ 0, light, light.Color });
-    }
-  }
+  std::copy_if(input.Frame.Lights.begin(), input.Frame.Lights.end(), std::back_inserter(emitters),
+    std::mem_fn(&vtkIndirectLight::IsReflected));
   // The first bounce of the sky and of area lights comes from maps of their own.
   for (size_t i = 0; input.Emitters && i < input.Emitters->size(); ++i)
   {

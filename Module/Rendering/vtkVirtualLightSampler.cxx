@@ -21,7 +21,6 @@ void vtkVirtualLightSampler::PrintSelf(ostream& os, vtkIndent indent)
   vtkIndirectSettingList settings;
   this->Lights->AddSettings(settings, nullptr);
   settings.Print(os, indent);
-  os << indent << "ActualNumberOfLights: " << this->GetActualNumberOfLights() << "\n";
   this->Lights->GetTable().Print(os, indent);
   if (const vtkIndirectTarget* lobes = this->Lights->GetLobes())
   {
@@ -38,12 +37,6 @@ void vtkVirtualLightSampler::SetNumberOfLights(int number)
     this->NumberOfLights = clamped;
     this->Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-int vtkVirtualLightSampler::GetActualNumberOfLights() const
-{
-  return this->Lights->GetActualNumberOfLights();
 }
 
 //------------------------------------------------------------------------------

@@ -43,9 +43,6 @@ public:
   int GetNumberOfLights() const { return this->NumberOfLights; }
   ///@}
 
-  /** Returns the number of virtual lights in the last frame. */
-  int GetActualNumberOfLights() const;
-
   /** Releases all resources in the window's context; does nothing without a window. */
   void ReleaseGraphicsResources(vtkWindow* window);
 

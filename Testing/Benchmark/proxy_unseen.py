@@ -166,7 +166,7 @@ def row(name: str, view: View, rays: Rays, sky: Sky) -> None:
     indirect = methods.enable(view.renderer, "proxies", environment=sky.value())
     view.window.Render()
     (y, x), places, normals = view.receivers(count=RECEIVERS)
-    step = indirect.GetEstimator().GetActiveReceiverStep()
+    step = methods.report(indirect)["settings"]["ReceiverStep"]
     halves = np.array(
         [
             [direct(rays, sky, p, n, DIRECTIONS, i + half) for half in (0.0, 0.5)]

@@ -356,7 +356,7 @@ def equals(results: list[dict[str, Any]]) -> str:
 
     rows = [row for row in results if row["method"] == "hints" and not row.get("error")]
     theirs = [row for row in rows if row["settings"].get("Preset") == "paper"
-              and "Occupancy" not in row["settings"]]  # fmt: skip
+              and "Visibility" not in row["settings"]]  # fmt: skip
     ours = {key(row): row for row in rows if "Preset" not in row["settings"]}
     lines = [
         "## Paper against ours, equal bounces, order and grid",

@@ -77,7 +77,7 @@ CASES = [
     # A rectangular lamp.
     Case("SceneAreaCornell", "area_cornell", (128, 128), "auto", None, buffers=("final", "irradiance", "area"), turn=(4, 3)),
     # A wall between the rooms blocks the light.
-    Case("SceneTwoRooms", "two_rooms", (128, 128), settings={"occupancy": True}, turn=(8, 3)),
+    Case("SceneTwoRooms", "two_rooms", (128, 128), settings={"visibility": "voxels"}, turn=(8, 3)),
     Case("SceneTwoRoomsHints", "two_rooms", (128, 128), "hints", None, turn=(8, 3)),
 ]
 

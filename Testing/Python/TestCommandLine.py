@@ -180,11 +180,11 @@ class Rendering(support.DirectoryTest):
     def test_settings_of_the_automatic_method(self) -> None:
         report = self.directory / "r.json"
         self.run_line(
-            *("--set", "NumberOfLights=50", "--set", "Occupancy=on", "--report", report),
+            *("--set", "NumberOfLights=50", "--set", "Visibility=voxels", "--report", report),
         )
         content = json.loads(report.read_text())
         self.assertEqual(content["settings"]["NumberOfLights"], 50)
-        self.assertTrue(content["settings"]["Occupancy"])
+        self.assertEqual(content["settings"]["Visibility"], "voxels")
         self.assertLessEqual(content["virtual_lights"], 50)
         self.assertGreater(content["virtual_lights"], 0)
 

@@ -453,7 +453,7 @@ class Command(DirectoryTest):
                 {"method": "a method to come"},
                 {"label": "wrong", "method": "gather", "settings": {"Colour": "blue"}},
                 {"method": "gather", "sampler": "uniform", "settings": {"Pattern": "grid"}},
-                {"method": "auto", "settings": {"NumberOfLights": 16, "Occupancy": True}},
+                {"method": "auto", "settings": {"NumberOfLights": 16, "Visibility": "voxels"}},
             ),
         )
         rows = {row["label"]: row for row in self.compare("--sweep", path)}

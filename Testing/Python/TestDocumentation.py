@@ -196,7 +196,6 @@ class Defaults(unittest.TestCase):
         "methods/area-lights.md Origin": "a square, see test_square",
         "methods/area-lights.md Point1": "as above",
         "methods/area-lights.md Point2": "as above",
-        "methods/occupancy.md Occupancy": "differs between estimators, see test_occupancy",
     }
 
     def test_tables(self) -> None:
@@ -231,11 +230,3 @@ class Defaults(unittest.TestCase):
         for point, edge in zip(points, ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0))):
             self.assertEqual(tuple(b - a for a, b in zip(origin, point)), edge)
         self.assertEqual(origin[2], 0.0)
-
-    def test_occupancy(self) -> None:
-        for method in methods.METHODS.values():
-            if method.estimator and wrapped.has(method.estimator):
-                estimator = wrapped.get(method.estimator)()
-                if hasattr(estimator, "GetOccupancy"):
-                    on = method.name == "hints"
-                    self.assertEqual(bool(estimator.GetOccupancy()), on, method.name)

@@ -142,6 +142,7 @@ class Enable(unittest.TestCase):
     def test_wrong_settings_leave_the_renderer_alone(self) -> None:
         for settings, expected in (
             ({"NumberOfLihgts": 5}, "did you mean 'NumberOfLights'"),
+            ({"Occupancy": True}, "unknown property 'Occupancy'"),
             ({"NumberOfLights": 0}, "NumberOfLights: 0 is out of range"),
             ({"Mode": "texels"}, "unknown value 'texels'"),
             ({"IndirectScale": -1}, "IndirectScale: -1 is out of range"),
@@ -154,32 +155,40 @@ class Enable(unittest.TestCase):
             vtkindirect.enable(self.renderer, "auto", Mode="all_texels")
 
     def test_settings_of_the_automatic_method(self) -> None:
-        indirect = vtkindirect.enable(self.renderer, number_of_lights=512, Occupancy=True)
+        indirect = vtkindirect.enable(
+            self.renderer, number_of_lights=512, Visibility="voxels", SpecularTransport=False
+        )
         self.assertIsNone(indirect.GetEstimator())
         self.assertIsNone(indirect.GetSampler())
         self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
-        self.assertTrue(indirect.GetActiveEstimator().GetOccupancy())
+        self.assertFalse(indirect.GetActiveEstimator().GetSpecularTransport())
         vtkindirect.enable(self.renderer, OccupancyResolution=64)
         self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
-        self.assertTrue(indirect.GetActiveEstimator().GetOccupancy())
+        self.assertFalse(indirect.GetActiveEstimator().GetSpecularTransport())
         self.assertEqual(indirect.GetActiveEstimator().GetOccupancyResolution(), 64)
         reported = vtkindirect.report(self.renderer)["settings"]
         self.assertEqual(reported["NumberOfLights"], 512)
+        self.assertEqual(reported["Visibility"], "voxels")
         self.assertEqual(reported["OccupancyResolution"], 64)
 
     def test_settings_are_kept_where_they_apply(self) -> None:
-        indirect = vtkindirect.enable(self.renderer, number_of_lights=512, Occupancy="on")
+        indirect = vtkindirect.enable(
+            self.renderer, number_of_lights=512, Visibility="voxels", SpecularTransport="off"
+        )
         vtkindirect.enable(self.renderer, "gather", Mode="virtual_lights", Shadows=False)
         self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 512)
-        self.assertTrue(indirect.GetEstimator().GetOccupancy())
-        vtkindirect.enable(self.renderer, "hints", Occupancy=False)
-        self.assertFalse(indirect.GetEstimator().GetOccupancy())
+        self.assertEqual(indirect.GetVisibility(), indirect.VOXELS)
+        self.assertFalse(indirect.GetEstimator().GetSpecularTransport())
+        vtkindirect.enable(self.renderer, "hints", Visibility="none", SpecularTransport=True)
+        self.assertTrue(indirect.GetEstimator().GetSpecularTransport())
         vtkindirect.enable(self.renderer, "gather", sampler="uniform")
         self.assertEqual(indirect.GetSampler().GetNumberOfLights(), 512)
-        self.assertFalse(indirect.GetEstimator().GetOccupancy())
+        self.assertEqual(indirect.GetVisibility(), indirect.NONE)
+        self.assertTrue(indirect.GetEstimator().GetSpecularTransport())
         vtkindirect.enable(self.renderer)
         self.assertEqual(indirect.GetActiveSampler().GetNumberOfLights(), 512)
-        self.assertFalse(indirect.GetActiveEstimator().GetOccupancy())
+        self.assertEqual(indirect.GetVisibility(), indirect.NONE)
+        self.assertTrue(indirect.GetActiveEstimator().GetSpecularTransport())
         self.assertFalse(indirect.GetShadows())
 
     def test_what_was_set_by_hand_since_stays(self) -> None:
@@ -197,7 +206,7 @@ class Enable(unittest.TestCase):
         for method, wrong in (
             ("gather", {"NumberOfLights": 50, "Mode": "texels"}),
             ("gather", {"NumberOfLights": 50, "NumberOfLihgts": 60}),
-            ("hints", {"Occupancy": True, "NumberOfBounces": -5}),
+            ("hints", {"SpecularTransport": False, "NumberOfBounces": -5}),
             ("multiresolution", {"NumberOfLights": 50, "Mode": "all_texels"}),
         ):
             with self.subTest(wrong=wrong), self.assertRaises(UsageError):

@@ -61,7 +61,7 @@ class Hints(unittest.TestCase):
         self.assertIn("of 512 hints of order 3", modelled["3 diffuse bounces"])
         self.assertIn("visibility between sender and receiver", modelled)
         three = vtkindirect.images.copy_buffer(loaded.renderer, "irradiance").mean()
-        vtkindirect.enable(loaded.renderer, "hints", number_of_bounces=1, occupancy=False)
+        vtkindirect.enable(loaded.renderer, "hints", number_of_bounces=1, visibility="none")
         window.Render()
         left_out = [entry["what"] for entry in json.loads(indirect.GetReport())["left_out"]]
         self.assertIn("visibility between sender and receiver", left_out)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Occupancy by name: the methods that sum over virtual lights, the report, the command line."""
+"""Voxels by name: the methods that sum over virtual lights, the report, the command line."""
 
 import json
 import unittest
@@ -22,13 +22,7 @@ class Occupancy(unittest.TestCase):
         for name in PAGES:
             path = support.SOURCE / "Documentation" / "methods" / f"{name}.md"
             text = path.read_text(encoding="utf-8")
-            self.assertIn("`Occupancy`", text)
             self.assertIn("`OccupancyResolution`", text)
-
-    def test_off_but_for_hints(self) -> None:
-        self.assertFalse(vtkindirect.vtkRSMGatherPass().GetOccupancy())
-        self.assertFalse(vtkindirect.vtkMultiresolutionSplattingPass().GetOccupancy())
-        self.assertTrue(vtkindirect.vtkRadianceHintsPass().GetOccupancy())
 
     def test_hides_light(self) -> None:
         loaded = vtkindirect.load_scene(support.SCENES / "cornell_box.json")
@@ -36,28 +30,25 @@ class Occupancy(unittest.TestCase):
         for method in METHODS:
             with self.subTest(method=method):
                 means = {}
-                for occupancy in (False, True):
-                    # The reference has a visibility of its own.
-                    own = method == "reference"
-                    visibility = "auto" if occupancy and not own else "none"
+                for voxels in (False, True):
                     # The lights of a map of this size are few enough for the processor.
                     indirect = vtkindirect.enable(
                         loaded.renderer,
                         method,
-                        occupancy=occupancy,
-                        visibility=visibility,
                         occupancy_resolution=64,
                         reflective_shadow_map_resolution=32,
                     )
+                    # The reference has a visibility of its own beside that of the pass.
+                    indirect.SetVisibility(indirect.VOXELS if voxels else indirect.NONE)
                     loaded.render_window.Render()
                     image = vtkindirect.images.copy_buffer(loaded.renderer, "irradiance")
-                    means[occupancy] = image.mean()
+                    means[voxels] = image.mean()
                     report = json.loads(indirect.GetReport())
                     what = "visibility between sender and receiver"
                     modelled = {entry["what"]: entry["why"] for entry in report["modelled"]}
                     left_out = [entry["what"] for entry in report["left_out"]]
-                    self.assertEqual(what in modelled, occupancy)
-                    self.assertEqual(what in left_out, not occupancy)
+                    self.assertEqual(what in modelled, voxels)
+                    self.assertEqual(what in left_out, not voxels)
                 self.assertIn("of 64 along the longest edge", modelled[what])
                 # Its blocks hide a fifth of the light; the pictures of both are lit.
                 self.assertLess(means[True], 0.95 * means[False])

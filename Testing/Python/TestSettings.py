@@ -200,8 +200,9 @@ class ReportedSettings(unittest.TestCase):
         self.assertEqual(indirect.GetNumberOfBounces(), 0)
         self.assertEqual(reported["NumberOfBounces"], 128)  # of a random walk
         self.assertTrue(reported["AutomaticNumberOfLights"])
-        sampler = indirect.GetSampler()
-        self.assertEqual(reported["NumberOfLights"], sampler.GetActualNumberOfLights())
+        # A walk would add its own lights.
+        first, _ = self.render("multiresolution", ErrorTolerance=0.04, NumberOfBounces=1)
+        self.assertEqual(reported["NumberOfLights"], methods.report(first)["virtual_lights"])
         # Thresholds are proportional to the tolerance; the defaults are those of 0.02.
         estimator = indirect.GetEstimator()
         for name in ("PlaneThreshold", "NormalThreshold", "DepthThreshold"):
@@ -221,22 +222,21 @@ class ReportedSettings(unittest.TestCase):
         for method, values, expected in (
             ("multiresolution", {}, "maps"),
             ("multiresolution", paper, "none"),
-            ("multiresolution", {**paper, "Occupancy": True}, "voxels"),
-            ("multiresolution", {"Occupancy": True, "Visibility": "none"}, "none"),
+            ("multiresolution", {**paper, "Visibility": "voxels"}, "voxels"),
+            ("multiresolution", {"Visibility": "none"}, "none"),
             ("splatting", {}, "maps"),
             ("gather", {}, "maps"),
-            ("gather", {"Occupancy": True}, "voxels"),
+            ("gather", {"Visibility": "voxels"}, "voxels"),
             ("gather", neighborhood, "none"),
             ("gather", {**neighborhood, "Visibility": "maps"}, "voxels"),
             ("hints", {}, "voxels"),
-            ("hints", {"Occupancy": False}, "none"),
+            ("hints", {"Visibility": "none"}, "none"),
             ("hints", paper, "none"),
+            ("hints", {**paper, "Visibility": "voxels"}, "voxels"),
         ):
             with self.subTest(method=method, values=values):
                 _, reported = self.render(method, **values)
                 self.assertEqual(reported["Visibility"], expected)
-                # Occupancy is the name of voxels for an estimator: one cannot contradict the other.
-                self.assertEqual(reported["Occupancy"], expected == "voxels")
 
     def test_estimators_own_visibility_is_in_force(self):
         _, reported = self.render("reference")

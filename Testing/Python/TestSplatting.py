@@ -27,7 +27,6 @@ class Splatting(unittest.TestCase):
         self.assertTrue(splatting.GetFarField())
         self.assertEqual(splatting.GetFarFieldStep(), 8)
         self.assertAlmostEqual(splatting.GetIntensityThreshold(), 0.02)
-        self.assertEqual(splatting.GetCutOffShare(), 0.0)
         for asked, given in ((-1.0, 0.0), (2.0, 1.0)):
             splatting.SetIntensityThreshold(asked)
             self.assertEqual(splatting.GetIntensityThreshold(), given)
@@ -62,8 +61,13 @@ class Splatting(unittest.TestCase):
         def splat(**given: object) -> tuple[np.ndarray, dict, float]:
             indirect = vtkindirect.enable(renderer, "splatting", "uniform", **COMMON, **given)
             loaded.render_window.Render()
-            share = indirect.GetEstimator().GetCutOffShare()
-            return images.copy_buffer(renderer, "irradiance"), methods.report(indirect), share
+            report = methods.report(indirect)
+            share = [
+                float(entry["why"].split()[0]) / 100.0
+                for entry in (*report["modelled"], *report["left_out"])
+                if entry["what"] == "light beyond the bounds of splats"
+            ]
+            return images.copy_buffer(renderer, "irradiance"), report, sum(share)
 
         everything, report, share = splat(intensity_threshold=0.0)
         np.testing.assert_allclose(everything, gathered, rtol=1e-5, atol=1e-6 * gathered.max())

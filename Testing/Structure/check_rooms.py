@@ -61,7 +61,7 @@ MAY_NAME_ESTIMATORS = {
     "vtkProxyAccumulationPass",
     "vtkIndirectSum",
     "vtkIndirectPipeline",
-    "vtkIndirectEstimatorLight",
+    "vtkIndirectBounceLight",
 }
 
 

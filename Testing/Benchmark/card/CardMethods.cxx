@@ -52,8 +52,7 @@ const std::vector<card::Method>& card::GetMethods()
         [](Multiresolution* splatting, Pass*) { splatting->SetFinestLevelToHalfResolution(); }),
       walked },
     { "multiresolution-occupancy", "with visibility by voxels",
-      With<Multiresolution>(
-        [](Multiresolution* splatting, Pass*) { splatting->SetOccupancy(true); }),
+      With<Multiresolution>([](Multiresolution*, Pass* pass) { pass->SetVisibilityToVoxels(); }),
       walked },
     { "hints", "radiance hints, one bounce", With<Hints>([](Hints*, Pass*) {}), grazing },
     { "hints-8", "radiance hints, eight bounces",

@@ -28,8 +28,6 @@ void CheckClocks(bool expected)
   hints->SetGridResolution(6, 5, 6);
   SET_DETAIL(hints, NumberOfRays, 16);
   vtkNew<vtkMultiresolutionSplattingPass> splatting;
-  // The voxels begin and end the stage of visibility, within the frame.
-  splatting->OccupancyOn();
   for (vtkIndirectEstimatorPass* estimator :
     std::initializer_list<vtkIndirectEstimatorPass*>{ gather, hints, splatting })
   {
@@ -37,6 +35,11 @@ void CheckClocks(bool expected)
     AddRoom(view.Renderer);
     vtkNew<vtkIndirectIlluminationPass> pass;
     pass->SetEstimator(estimator);
+    if (estimator == splatting)
+    {
+      // The voxels begin and end the stage of visibility, within the frame.
+      pass->SetVisibilityToVoxels();
+    }
     pass->SetNumberOfBounces(2);
     pass->CachingOff();
     pass->TimingOn();

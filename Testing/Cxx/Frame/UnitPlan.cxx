@@ -256,8 +256,9 @@ VTK_INDIRECT_TEST(PlanVisibility)
   }
   estimator.IsOfPaper = true;
   CheckEqual("of a paper's preset", visibility(), vtkIndirectVisibilityNone);
-  estimator.Occupancy = true;
-  CheckEqual("of a paper's preset with Occupancy", visibility(), vtkIndirectVisibilityVoxels);
+  settings.Visibility = vtkIndirectVisibilityVoxels;
+  CheckEqual(
+    "of a paper's preset where the user wants voxels", visibility(), vtkIndirectVisibilityVoxels);
   settings.Visibility = vtkIndirectVisibilityNone;
   CheckEqual("where the user wants none", visibility(), vtkIndirectVisibilityNone);
   settings.Visibility = vtkIndirectVisibilityMaps;

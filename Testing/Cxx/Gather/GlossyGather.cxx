@@ -199,8 +199,8 @@ VTK_INDIRECT_TEST(Hidden)
     scene.Render();
     const Image hidden = scene.Copy("glossy");
     const std::string what = std::string(estimator->GetClassName()) + ": ";
-    CheckAtMost(what + "light in the lobes over that without Occupancy",
-      hidden.Mean() / open.Mean(), 0.9, "the plate stands before the wall");
+    CheckAtMost(what + "light in the lobes over that without voxels", hidden.Mean() / open.Mean(),
+      0.9, "the plate stands before the wall");
     if (estimator == reference)
     {
       expected = hidden;

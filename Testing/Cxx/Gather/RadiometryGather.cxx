@@ -60,8 +60,8 @@ std::vector<VirtualLight> LightsFromMap(
   for (int face = 0; face < map.NumberOfFaces; ++face)
   {
     // Face to world, without the scene's scale.
-    const glm::dmat4 toScene = map.FaceToScene[face];
-    const glm::dvec3 eye(map.LightToWorld[3]);
+    const glm::dmat4 toScene = map.Faces[face].GetToScene();
+    const glm::dvec3 eye(glm::inverse(map.WorldToLight)[3]);
     for (int j = 0; j < n; ++j)
     {
       for (int i = 0; i < n; ++i)

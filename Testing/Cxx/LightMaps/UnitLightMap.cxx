@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Geometry of the lights' maps: cameras, depth ranges, culling.
+#include "Capture/vtkIndirectFootprint.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "LightMaps/vtkIndirectFootprint.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkIndirectTestUtilities.h"
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLCamera.h"
 
 #include <algorithm>
@@ -91,17 +92,19 @@ VTK_INDIRECT_TEST(MapCameras)
     int faces = 0;
     for (int i = 0; i < 400; ++i)
     {
-      const RandomScene scene(random, away);
+      RandomScene scene(random, away);
+      scene.Frame.Parallel = i % 2 == 0;
       vtkIndirectLightMap map;
       map.Fit(scene.Frame, scene.Light);
       for (int face = 0; face < map.NumberOfFaces; ++face)
       {
         ++faces;
-        vtkOpenGLCamera* camera = map.GetCamera(face, i % 2 == 0);
+        vtkNew<vtkOpenGLCamera> camera;
+        map.Faces[face].SetUp(camera, scene.Frame);
         const glm::dmat4 view = vtkIndirectFrame::ToGLM(camera->GetModelViewTransformMatrix());
         const glm::dmat4 projection =
           vtkIndirectFrame::ToGLM(camera->GetProjectionTransformMatrix(1.0, -1, 1));
-        const glm::dmat4 sceneToFace = glm::inverse(map.FaceToScene[face]);
+        const glm::dmat4 sceneToFace = glm::inverse(map.Faces[face].GetToScene());
         const bool parallel = map.Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL;
         for (int k = 0; k < 20; ++k)
         {
@@ -132,14 +135,15 @@ VTK_INDIRECT_TEST(MapCameras)
           worstDepth = std::max(worstDepth, std::abs(0.5 * clip.z / clip.w + 0.5 - buffer));
         }
         const glm::dvec3 axis = glm::dvec3(view * glm::dvec4(scene.Light.DirectionWC, 0.0));
-        worstAxis = std::max(worstAxis, glm::length(axis - map.FaceAxis[face]));
+        const glm::dvec3 inFace = glm::dmat3(sceneToFace) * scene.Light.DirectionWC;
+        worstAxis = std::max(worstAxis, glm::length(axis - inFace));
       }
     }
     const std::string what = "away " + std::to_string(away) + ": ";
     // World coordinates 1e5 sizes away have steps of 1.5e-11 sizes; VTK's camera takes differences.
     const double steps = away > 0.0 ? 1e-9 : 1e-12;
-    CheckAtMost(what + "camera's view against FaceToScene", worstView, steps, "steps of doubles");
-    CheckAtMost(what + "light frame and vtkiToFace against FaceToScene", worstFace, 2e-7 + steps,
+    CheckAtMost(what + "camera's view against the face's", worstView, steps, "steps of doubles");
+    CheckAtMost(what + "light frame and vtkiToFace against the face's", worstFace, 2e-7 + steps,
       "one rounding to float");
     CheckAtMost(what + "camera's image against the half width", worstImage, 1e3 * steps,
       "division by depths down to 1/1024 of the farthest");
@@ -168,7 +172,7 @@ VTK_INDIRECT_TEST(MapDepthRange)
     badRange += !parallel && map.Near < map.Far / 1024.0 * (1.0 - 1e-12);
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
-      const glm::dmat4 sceneToFace = glm::inverse(map.FaceToScene[face]);
+      const glm::dmat4 sceneToFace = glm::inverse(map.Faces[face].GetToScene());
       for (int k = 0; k < 50; ++k)
       {
         const glm::dvec3 world = PointIn(random, scene.Frame.Casters[k % 3].Bounds);
@@ -210,7 +214,7 @@ VTK_INDIRECT_TEST(MapCulling)
     map.Fit(scene.Frame, scene.Light);
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
-      const glm::dmat4 sceneToFace = glm::inverse(map.FaceToScene[face]);
+      const glm::dmat4 sceneToFace = glm::inverse(map.Faces[face].GetToScene());
       for (int box = 0; box < 6; ++box)
       {
         double bounds[6];
@@ -226,11 +230,11 @@ VTK_INDIRECT_TEST(MapCulling)
         for (int k = 0; k < 60 && !shown; ++k)
         {
           const glm::dvec3 world = PointIn(random, bounds);
-          shown = Shows(map,
-            glm::dvec3(sceneToFace *
-              glm::dvec4((world - scene.Frame.SceneCenter) * scene.Frame.SceneScale, 1.0)));
+          const glm::dvec3 p =
+            glm::dvec3(sceneToFace * glm::dvec4(scene.Frame.ToScene(world), 1.0));
+          shown = Shows(map, p) && -p.z >= map.Near;
         }
-        const bool sees = map.CanHold(face, bounds, 1 << 20);
+        const bool sees = map.Faces[face].CanSee(scene.Frame, bounds, 1 << 20);
         visible += shown;
         culled += !sees;
         kept += sees;

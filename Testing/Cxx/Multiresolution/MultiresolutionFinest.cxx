@@ -81,7 +81,7 @@ VTK_INDIRECT_TEST(ManyLights)
     scene.Pass->SetReflectiveShadowMapResolution(128);
     scene.Sampler->SetNumberOfLights(lights);
     const Image expected = scene.GatherAll();
-    CheckEqual("virtual lights", scene.Sampler->GetActualNumberOfLights(), lights);
+    CheckEqual("virtual lights", scene.ReadReport("virtual_lights"), lights);
     SetFinest(scene, false);
     const Image image = scene.Splat();
     const std::string what = std::to_string(lights) + " lights: ";

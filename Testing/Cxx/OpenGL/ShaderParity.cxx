@@ -203,8 +203,12 @@ VTK_INDIRECT_TEST(StagesLink)
   std::set<std::string> used;
   const char* const gathers[] = { "vtkIndirectGatherVirtualLights.glsl",
     "vtkIndirectGatherNeighborhood.glsl" };
-  const char* const irradiances[] = { "vtkIndirectIrradianceTexture.glsl",
-    "vtkIndirectIrradianceCoarse.glsl" };
+  const char* const lights = "#define VTKI_LIGHTS 2\n"
+                             "#define VTKI_ADD_IRRADIANCE bounce += "
+                             "vtkiFetchCoarse(vtkiLights[0], position) * vtkiUnits[0];\n"
+                             "#define VTKI_ADD_RADIANCE radiance += specular * "
+                             "textureLod(vtkiLights[1], place, 0.0f).rgb * scale;\n"
+                             "#define VTKI_SPECULAR\n";
   for (const vtkIndirectShaderTableEntry* entry = vtkIndirectShaderTable; entry->Name; ++entry)
   {
     const std::string name = entry->Name;
@@ -221,12 +225,12 @@ VTK_INDIRECT_TEST(StagesLink)
       continue;
     }
     const bool open = text.find("#include VTKI_GATHER") != std::string::npos;
-    const auto& files =
-      text.find("vtkiFetchIrradiance") != std::string::npos ? irradiances : gathers;
-    for (int i = 0; i < (open ? 2 : 1); ++i)
+    const bool adds = text.find("vtkIndirectAddedLight.glsl") != std::string::npos;
+    for (int i = 0; i < (open || adds ? 2 : 1); ++i)
     {
-      vtkIndirectFullScreenProgram kernel(nullptr, entry->Name, files[i]);
-      Check(name + (open ? std::string(" with ") + files[i] : "") + " links",
+      vtkIndirectFullScreenProgram kernel(nullptr, entry->Name, gathers[i]);
+      kernel.SetDefinitions(adds && i == 1 ? lights : "");
+      Check(name + (open ? std::string(" with ") + gathers[i] : "") + " links",
         kernel.Use(window) != nullptr);
       ++linked;
       kernel.Release(window);

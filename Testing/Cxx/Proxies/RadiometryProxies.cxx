@@ -224,7 +224,7 @@ VTK_INDIRECT_TEST(ProxiesFewerReceivers)
     CheckAtMost("a receiver in " + std::to_string((2 << i) * (2 << i)) + " pixels",
       FindRelativeError(scene.Copy("sky"), full, normal), limits[i],
       "spheres of 3 to 7 pixels; 0.017, 0.032 and 0.050 measured");
-    CheckEqual("the step in force", scene.Proxies->GetActiveReceiverStep(), 2 << i);
+    CheckEqual("the step in force", scene.ReadReport("ReceiverStep"), 2 << i);
   }
 }
 

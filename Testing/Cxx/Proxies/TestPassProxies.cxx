@@ -335,7 +335,7 @@ VTK_INDIRECT_TEST(ProxiesStepIsSteady)
   {
     camera->SetPosition(0.5, 0.3, 0.5 + share * distance);
     view.Grab();
-    return view.Proxies->GetActiveReceiverStep();
+    return static_cast<int>(Report(view.GetPass()).GetNumber("settings.ReceiverStep"));
   };
   // Receivers of 2 pixels: at this size there is one in every second pixel, or in every pixel.
   const double pixel = 2.0 * distance * std::tan(vtkMath::RadiansFromDegrees(15.0)) / 192.0;

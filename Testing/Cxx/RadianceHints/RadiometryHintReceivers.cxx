@@ -116,12 +116,12 @@ struct BallScene : Scene
 {
   vtkNew<vtkRadianceHintsPass> Hints;
 
-  BallScene(Kind kind, bool occupancy)
+  BallScene(Kind kind, bool voxels)
     : Scene(64, 64)
   {
     this->Pass->SetEstimator(this->Hints);
-    this->Pass->SetVisibilityToAuto();
-    this->Hints->SetOccupancy(occupancy);
+    this->Pass->SetVisibility(
+      voxels ? vtkIndirectIlluminationPass::AUTO : vtkIndirectIlluminationPass::NONE);
     this->Pass->SetReflectiveShadowMapResolution(128);
     this->AddQuad({ -2, -2, 0 }, { 2, -2, 0 }, { -2, 2, 0 }, glm::dvec3(0.8));
     // Makes bounds and grid equal for each kind: mappers report different bounds for a ball.
@@ -157,10 +157,10 @@ struct BallScene : Scene
 
 VTK_INDIRECT_TEST(HintsReceivers)
 {
-  for (const bool occupancy : { false, true })
+  for (const bool voxels : { false, true })
   {
-    const std::string how = occupancy ? ", with Occupancy" : "";
-    BallScene polygons(Polygons, occupancy);
+    const std::string how = voxels ? ", with voxels" : "";
+    BallScene polygons(Polygons, voxels);
     polygons.Render();
     const Image expected = polygons.Copy("irradiance");
     const std::vector<Scene::Receiver> places = polygons.GetReceivers();
@@ -176,7 +176,7 @@ VTK_INDIRECT_TEST(HintsReceivers)
         continue;
       }
       const std::string what = Names[kind] + how;
-      BallScene scene(static_cast<Kind>(kind), occupancy);
+      BallScene scene(static_cast<Kind>(kind), voxels);
       scene.Render();
       const Image found = scene.Copy("irradiance");
       const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
@@ -203,7 +203,7 @@ VTK_INDIRECT_TEST(HintsReceivers)
         what + ": pixels", static_cast<double>(errors.size()), 200, "the test's own power");
       CheckEqual(what + ": pixels without light", dark, 0);
       CheckRelative(what + ": light over that on polygons", sum, reference, same ? 1e-3 : 0.02,
-        same ? "the same triangles; with Occupancy theirs hide a little from hints"
+        same ? "the same triangles; with voxels theirs hide a little from hints"
              : "other pixels at the silhouette; sprites are flat");
       CheckAtMost(what + ": 90th percentile of a pixel's difference", Percentile(errors, 0.9),
         kind == Points    ? 0.25

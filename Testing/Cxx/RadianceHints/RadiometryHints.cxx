@@ -104,7 +104,7 @@ VTK_INDIRECT_TEST(HintsClosedSphere)
   scene.SetGrid(4);
   const double all = [&]
   {
-    scene.Hints->OccupancyOff();
+    scene.Pass->SetVisibilityToNone();
     SET_DETAIL(scene.Hints, FacingWeights, false);
     return scene.Measure(0, 1);
   }();
@@ -200,7 +200,7 @@ VTK_INDIRECT_TEST(HintsField)
   SET_DETAIL(scene.Hints, BlocksPerEdge, 128);
   SET_DETAIL(scene.Hints, Deringing, false);
   SET_DETAIL(scene.Hints, Softening, false);
-  scene.Hints->OccupancyOff();
+  scene.Pass->SetVisibilityToNone();
   SET_DETAIL(scene.Hints, SkipEmptyCells, false);
   SET_DETAIL(scene.Hints, LumaChroma, false);
   const double diagonal = std::sqrt(16.0 + 9.0 + 4.0);
@@ -273,10 +273,10 @@ VTK_INDIRECT_TEST(HintsLeak)
   closed.Pass->SetNumberOfBounces(3);
   const double leak = closed.GetLeak(dark);
   CheckAtMost("light behind the closed wall over all", leak, 0.02, "the requirement: 2 %");
-  closed.Hints->OccupancyOff();
+  closed.Pass->SetVisibilityToNone();
   const double without = closed.GetLeak(dark);
-  std::cout << "  without occupancy: " << 100.0 * without << " %\n";
-  CheckAtLeast("leak without occupancy", without, 2.0 * leak + 0.01, "the test's own power");
+  std::cout << "  without voxels: " << 100.0 * without << " %\n";
+  CheckAtLeast("leak without voxels", without, 2.0 * leak + 0.01, "the test's own power");
   SET_DETAIL(closed.Hints, FacingWeights, false);
   std::cout << "  without weights for facing either: " << 100.0 * closed.GetLeak(dark) << " %\n";
 

@@ -117,7 +117,7 @@ VTK_INDIRECT_TEST(NothingIsSent)
     CheckEqual(std::string(GetName(static_cast<SplatWay>(way))) + ": light of black surfaces",
       Sum(image), 0.0);
     Check("all of it finite", IsFinite(image));
-    CheckEqual("what is cut off of nothing", scene.Splats->GetCutOffShare(), 0.0);
+    CheckEqual("what is cut off of nothing", scene.ReadCutOffShare(), 0.0);
   }
 }
 

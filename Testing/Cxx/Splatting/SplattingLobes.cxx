@@ -340,7 +340,7 @@ VTK_INDIRECT_TEST(LobesKeepMean)
     const ImageError error = Compare(image, expected, Least);
     std::printf("       %g: cut off %.4f (said to be %.4f), %.1f splats a pixel, mean %+.4f, "
                 "RMSE %.4f\n",
-      threshold, cut, scene.Splats->GetCutOffShare(), count, moved, error.RootMeanSquare);
+      threshold, cut, scene.ReadCutOffShare(), count, moved, error.RootMeanSquare);
     worst = std::max(worst, std::abs(moved));
     CheckAtLeast("change of what is cut off for a greater threshold", cut - last, -1e-6,
       "it grows, but for rounding");

@@ -75,7 +75,7 @@ VTK_INDIRECT_TEST(CutOff)
     scene.Splats->FarFieldOff();
     scene.Splats->SetIntensityThreshold(0.05);
     const Image image = scene.SplatLights(SplatWay::TILES);
-    double measured = scene.Splats->GetCutOffShare();
+    double measured = scene.ReadCutOffShare();
     ways.Add(scene, image, Least);
     const std::vector<VirtualLight> lights = scene.CopyLights();
     auto intensity = [](const VirtualLight& light)

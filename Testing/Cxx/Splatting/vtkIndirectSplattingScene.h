@@ -46,6 +46,16 @@ struct SplattingFrameOf : Base
     this->Render();
     return this->Copy("irradiance");
   }
+
+  /** Returns the share of the irradiance beyond the bounds, which the report has in per cent. */
+  double ReadCutOffShare()
+  {
+    const std::string report = this->Pass->GetReport();
+    const std::string why = "\"why\": \"";
+    size_t at = report.find("\"light beyond the bounds of splats\"");
+    at = at == std::string::npos ? at : report.find(why, at);
+    return at == std::string::npos ? 0.0 : std::stod(report.substr(at + why.size())) / 100.0;
+  }
 };
 using SplattingFrame = SplattingFrameOf<RandomFrame>;
 

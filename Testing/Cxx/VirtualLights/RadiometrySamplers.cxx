@@ -100,12 +100,11 @@ struct SkyScene : Scene
   }
   ~SkyScene() { this->Pass->SetEstimator(nullptr); }
 
-  Image Measure(vtkIndirectEstimatorPass* estimator, bool occupancy)
+  Image Measure(vtkIndirectEstimatorPass* estimator, bool voxels)
   {
-    estimator->SetOccupancy(occupancy);
     this->Pass->SetEstimator(estimator);
     this->Pass->SetVisibility(
-      occupancy ? vtkIndirectIlluminationPass::AUTO : vtkIndirectIlluminationPass::NONE);
+      voxels ? vtkIndirectIlluminationPass::VOXELS : vtkIndirectIlluminationPass::NONE);
     this->Render();
     return this->Copy("irradiance");
   }
@@ -214,7 +213,7 @@ VTK_INDIRECT_TEST(SamplersShadow)
          scene.Gather, scene.Splatting, scene.Reference })
   {
     const std::string name = estimator->GetMethodName();
-    CheckRelative(name + ": without Occupancy", scene.Measure(estimator, false).Mean(2), 1.0, 3e-3,
+    CheckRelative(name + ": without voxels", scene.Measure(estimator, false).Mean(2), 1.0, 3e-3,
       "the whole sky");
     // A voxel is 6 / 128: the roof is larger by at most one on each side.
     CheckRelative(name + ": under the roof", scene.Measure(estimator, true).Mean(2), 1.0 - roof,

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 
 using namespace vtkIndirectTest;
 
@@ -38,13 +39,10 @@ std::vector<glm::dvec3> Project(
   vtkEnvironmentLight* environment, const std::vector<glm::dvec3>& directions)
 {
   std::vector<glm::dvec3> light(directions.size(), glm::dvec3(0.0));
-  const std::vector<vtkIndirectEmitterAccess::Cell>& cells =
-    vtkIndirectEmitterAccess::GetCells(environment);
-  const std::vector<size_t> nearest =
-    vtkIndirectDirections::FindNearest(cells, directions, directions.size());
-  for (size_t i = 0; i < cells.size(); ++i)
+  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
   {
-    light[nearest[i]] += glm::dvec3(cells[i].Light[0], cells[i].Light[1], cells[i].Light[2]);
+    light[vtkIndirectDirections::FindNearest(glm::make_vec3(cell.Direction), directions)] +=
+      glm::make_vec3(cell.Light);
   }
   return light;
 }

@@ -268,9 +268,9 @@ VTK_INDIRECT_TEST(PlacesOfALampBehindBars)
         for (double end = begin; end <= 0.5; end += 0.01)
         {
           const auto hidden = std::count_if(places.begin(), places.begin() + each,
-            [&](const vtkIndirectEmitter& place)
+            [&](const vtkIndirectLight& place)
             {
-              const double at = place.Light.PositionWC[axis];
+              const double at = place.PositionWC[axis];
               return at > begin && at < end;
             });
           worst = std::max(worst, std::abs(1.0 * hidden / each - (end - begin)));
@@ -281,15 +281,60 @@ VTK_INDIRECT_TEST(PlacesOfALampBehindBars)
   }
 }
 
+// More lamps than places share them: those that are near each other and face alike.
+VTK_INDIRECT_TEST(PlacesOfManyLamps)
+{
+  constexpr int edge = 10;
+  std::vector<vtkSmartPointer<vtkAreaLight>> lamps;
+  for (int i = 0; i < edge * edge; ++i)
+  {
+    const double x = i % edge;
+    const double y = i / edge;
+    lamps.push_back(vtkSmartPointer<vtkAreaLight>::New());
+    lamps.back()->SetOrigin(x, y, 0.0);
+    lamps.back()->SetPoint1(x + 1.0, y, 0.0);
+    lamps.back()->SetPoint2(x, y + 1.0, 0.0);
+    lamps.back()->SetRadiance(1.0, x, y);
+    lamps.back()->SetTwoSided(true);
+  }
+  vtkIndirectEmitters::List places;
+  vtkIndirectEmitters::AddAreaLights(places, lamps, false);
+  CheckEqual("places", static_cast<double>(places.size()), vtkIndirectEmitters::MostPieces);
+  glm::dvec3 front(0.0);
+  glm::dvec3 back(0.0);
+  size_t pieces = 0;
+  double most = 0.0;
+  for (const vtkIndirectLight& place : places)
+  {
+    (place.DirectionWC.z > 0.0 ? front : back) += place.Color;
+    pieces += place.Pieces;
+    most = std::max(most, static_cast<double>(place.Pieces));
+  }
+  const glm::dvec3 all = glm::dvec3(100.0, 450.0, 450.0) / vtkMath::Pi();
+  CheckAbsolute("light of the fronts", glm::length(front - all), 0.0, 1e-9, "rounding of a sum");
+  CheckAbsolute("of the backs", glm::length(back - all), 0.0, 1e-9, "rounding of a sum");
+  CheckEqual("sides of lamps", static_cast<double>(pieces), 2.0 * edge * edge);
+  CheckAtMost("sides that share a place", most, 8.0, "two halvings more than 200 of 64");
+  for (const auto& lamp : lamps)
+  {
+    lamp->SetRadiance(2.0, 1.0, 1.0);
+  }
+  vtkIndirectEmitters::List again;
+  vtkIndirectEmitters::AddAreaLights(again, lamps, false);
+  Check("other light has the same places",
+    std::equal(places.begin(), places.end(), again.begin(), again.end(),
+      [](const vtkIndirectLight& a, const vtkIndirectLight& b) { return a.Index == b.Index; }));
+}
+
 VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
 {
   const double pi = vtkMath::Pi();
   auto total = [](const vtkIndirectEmitters::List& groups)
   {
     glm::dvec3 sum(0.0);
-    for (const vtkIndirectEmitter& group : groups)
+    for (const vtkIndirectLight& group : groups)
     {
-      sum += group.Strength;
+      sum += group.Color;
     }
     return sum;
   };
@@ -313,9 +358,9 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
   {
     const glm::dvec3 normal = random.NextDirection();
     double irradiance = 0.0;
-    for (const vtkIndirectEmitter& group : groups)
+    for (const vtkIndirectLight& group : groups)
     {
-      irradiance += group.Strength.y * std::max(glm::dot(-group.Light.DirectionWC, normal), 0.0);
+      irradiance += group.Color.y * std::max(glm::dot(-group.DirectionWC, normal), 0.0);
     }
     worst = std::max(worst, std::abs(irradiance - 1.0));
   }
@@ -341,14 +386,13 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
   CheckAtMost("without those below it", static_cast<double>(groups.size()), 26,
     "groups reach 20 degrees from their direction");
   const auto sun = std::max_element(groups.begin(), groups.end(),
-    [](const vtkIndirectEmitter& a, const vtkIndirectEmitter& b)
-    { return a.Strength.x < b.Strength.x; });
-  Check("which stands by itself", sun->Number >= vtkIndirectEmitters::NumberOfSkyGroups);
+    [](const vtkIndirectLight& a, const vtkIndirectLight& b) { return a.Color.x < b.Color.x; });
+  Check("which stands by itself", sun->Index >= vtkIndirectEmitters::NumberOfSkyGroups);
   const double longitude = 2.0 * pi * (70.5 / 256 - 0.5);
   const double latitude = pi * (100.5 / 128 - 0.5);
   const glm::dvec3 from(std::cos(latitude) * std::sin(longitude), std::sin(latitude),
     -std::cos(latitude) * std::cos(longitude));
-  CheckAtLeast("where it is", glm::dot(-sun->Light.DirectionWC, from), std::cos(glm::radians(0.5)),
+  CheckAtLeast("where it is", glm::dot(-sun->DirectionWC, from), std::cos(glm::radians(0.5)),
     "the sky around it, of which a circle of 7 degrees has a 24th of the sun's light");
 
   vtkNew<vtkImageData> black;

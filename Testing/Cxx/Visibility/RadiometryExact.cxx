@@ -33,7 +33,7 @@ struct ExactScene : Scene
   {
     this->Reference->SetModeToVirtualLights();
     this->Pass->SetEstimator(this->Reference);
-    this->Pass->SetVisibilityToAuto(); // Occupancy decides
+    this->Pass->SetVisibilityToAuto(); // the reference decides
     this->Sampler->SetNumberOfLights(256);
     this->Pass->SetReflectiveShadowMapResolution(128);
   }
@@ -352,18 +352,18 @@ VTK_INDIRECT_TEST(ExactDoubled)
 
 VTK_INDIRECT_TEST(ExactProperty)
 {
-  // With NONE Occupancy decides, VOXELS is Occupancy, EXACT needs none; voxels are released after
-  // use.
+  // With NONE the pass's Visibility decides, VOXELS is that of the pass, EXACT needs no voxels;
+  // these are released after use.
   ExactScene scene(40, 30);
   scene.AddBlocks(1.0, glm::dvec3(0.0));
   const Image open = scene.Measure(vtkRSMReferencePass::NONE);
   const Image voxels = scene.Measure(vtkRSMReferencePass::VOXELS);
-  scene.Reference->OccupancyOn();
-  CheckEqual("Occupancy against VOXELS",
+  scene.Pass->SetVisibilityToVoxels();
+  CheckEqual("VOXELS of the pass against its own",
     RootMeanSquare(scene.Measure(vtkRSMReferencePass::NONE), voxels), 0.0);
   const Image exact = scene.Measure(vtkRSMReferencePass::EXACT);
-  scene.Reference->OccupancyOff();
-  CheckEqual("EXACT with Occupancy and without",
+  scene.Pass->SetVisibilityToAuto();
+  CheckEqual("EXACT with VOXELS of the pass and without",
     RootMeanSquare(scene.Measure(vtkRSMReferencePass::EXACT), exact), 0.0);
   Check("the report says so",
     scene.Pass->GetReport().find("segments against all ") != std::string::npos);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Occupancy of the estimators that sum over virtual lights: hidden receivers are dark, others keep
-// their light, and all estimators agree.
+// Voxels that hide the senders of estimators that sum over virtual lights: hidden receivers are
+// dark, others keep their light, and all estimators agree.
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectForcedPath.h"
 #include "vtkIndirectVisibilityScene.h"
@@ -31,11 +31,10 @@ struct OccupancyScene : VisibilityScene
 {
   using VisibilityScene::VisibilityScene;
 
-  Image Measure(vtkIndirectEstimatorPass* estimator, bool occupancy)
+  Image Measure(vtkIndirectEstimatorPass* estimator, bool voxels)
   {
-    estimator->SetOccupancy(occupancy);
     return this->VisibilityScene::Measure(
-      estimator, occupancy ? vtkIndirectIlluminationPass::AUTO : vtkIndirectIlluminationPass::NONE);
+      estimator, voxels ? vtkIndirectIlluminationPass::VOXELS : vtkIndirectIlluminationPass::NONE);
   }
 };
 
@@ -141,9 +140,9 @@ VTK_INDIRECT_TEST(OccupancyTwoRooms)
         static_cast<vtkIndirectEstimatorPass*>(scene.Splatting) })
     {
       double leak[2];
-      for (bool occupancy : { false, true })
+      for (bool voxels : { false, true })
       {
-        const Image image = scene.Measure(estimator, occupancy);
+        const Image image = scene.Measure(estimator, voxels);
         const std::vector<Scene::Receiver> receivers = scene.GetReceivers();
         double total = 0.0;
         double dark = 0.0;
@@ -154,12 +153,12 @@ VTK_INDIRECT_TEST(OccupancyTwoRooms)
           total += e;
           dark += p.x > 2.03 + slant * (0.5 * p.z + 0.25 * p.y) + 1e-3 ? e : 0.0;
         }
-        leak[occupancy] = dark / total;
+        leak[voxels] = dark / total;
       }
       const std::string what = std::string(estimator->GetMethodName()) + ", slant " +
         std::to_string(slant).substr(0, 3) + ": light behind the wall over all";
       CheckAtMost(what, leak[1], 0.02, "the requirement: 2 %");
-      CheckAtLeast(what + " without Occupancy", leak[0], 0.1, "the test's own power");
+      CheckAtLeast(what + " without voxels", leak[0], 0.1, "the test's own power");
     }
   }
 }
@@ -233,7 +232,7 @@ VTK_INDIRECT_TEST(OccupancyExact)
   const double openBias = openSum / exactSum - 1.0;
   const double openError = std::sqrt(openSquares / count) / mean;
   std::cout << "  without: bias " << openBias << ", RMSE " << openError << "\n";
-  CheckAtLeast("bias without Occupancy", openBias, 0.1, "the test's own power");
+  CheckAtLeast("bias without voxels", openBias, 0.1, "the test's own power");
   // Blocks of about twenty voxels are up to a voxel wider on each side, and so are their shadows.
   CheckAbsolute("bias", bias, 0.0, 0.1 * openBias + 0.03,
     "2 of 20 voxels of what the blocks hide, and what a room loses along its edges");
@@ -248,7 +247,7 @@ VTK_INDIRECT_TEST(OccupancySame)
   AddBlocks(scene, 1.0, glm::dvec3(0.0));
   const Image exact = scene.Measure(scene.Reference, true);
   const Image open = scene.Measure(scene.Reference, false);
-  CheckAtLeast("what Occupancy changes", RootMeanSquare(open, exact), 0.1, "the test's own power");
+  CheckAtLeast("what voxels change", RootMeanSquare(open, exact), 0.1, "the test's own power");
   auto compare = [&](const std::string& what, vtkIndirectEstimatorPass* estimator)
   {
     const Image image = scene.Measure(estimator, true);
@@ -279,9 +278,9 @@ VTK_INDIRECT_TEST(OccupancySubsplats)
   const double error = RootMeanSquare(scene.Measure(defaults, true), full);
   const Image open = scene.Measure(scene.Gather, false);
   const double openError = RootMeanSquare(scene.Measure(defaults, false), open);
-  std::cout << "  RMSE over the mean " << error << ", without Occupancy " << openError << "\n";
+  std::cout << "  RMSE over the mean " << error << ", without voxels " << openError << "\n";
   CheckAtMost("RMSE over the mean", error, 0.04,
-    "the median of hard scenes without Occupancy, and half of it for shadows");
+    "the median of hard scenes without voxels, and half of it for shadows");
   CheckAtMost("bias", std::abs(scene.Measure(defaults, true).Mean() / full.Mean() - 1.0), 0.01,
     "interpolation takes and gives");
 }
@@ -294,7 +293,7 @@ VTK_INDIRECT_TEST(OccupancyManyLights)
   scene.Sampler->SetNumberOfLights(2500);
   const Image expected = scene.Measure(scene.Reference, true);
   const double open = scene.Measure(scene.Reference, false).Mean();
-  CheckAtLeast("light without Occupancy over that with it", open / expected.Mean(), 1.1,
+  CheckAtLeast("light without voxels over that with them", open / expected.Mean(), 1.1,
     "the test's own power");
   auto check = [&](const std::string& name, vtkIndirectEstimatorPass* estimator, double most)
   {
@@ -345,7 +344,7 @@ VTK_INDIRECT_TEST(OccupancyUpdates)
   scene.SetEye({ 3.9, 0.1, 1.8 }, { 1.0, 2.5, 0.4 }, { 0, 0, 1 }, 80.0, 0.05, 9.0);
   auto updates = [&scene]() { return scene.ReadReport("voxel_updates"); };
   scene.Measure(scene.Gather, false);
-  CheckEqual("updates without Occupancy", updates(), 0);
+  CheckEqual("updates without voxels", updates(), 0);
   const double hidden = scene.Measure(scene.Gather, true).Mean();
   CheckEqual("updates of the first frame", updates(), 1);
   scene.SetEye({ 3.8, 0.1, 1.8 }, { 1.0, 2.5, 0.4 }, { 0, 0, 1 }, 80.0, 0.05, 9.0);
@@ -396,7 +395,7 @@ VTK_INDIRECT_TEST(OccupancyNothing)
 {
   // Without polygons there are no voxels; the report says so.
   OccupancyScene scene(16, 16);
-  scene.Gather->OccupancyOn();
+  scene.Pass->SetVisibilityToVoxels();
   scene.Render();
   scene.AddQuad({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, glm::dvec3(0.5));
   scene.AddDirectional({ 0, 0, -1 });

@@ -558,15 +558,15 @@ VTK_INDIRECT_TEST(WalkExtendsOverFrames)
   // Frames of interaction keep the existing lights; a moved light begins anew.
   scene.Window->SetDesiredUpdateRate(30.0);
   scene.Render();
-  CheckAtLeast("lights in a frame of interaction", scene.Walk->GetActualNumberOfLights(), 1024,
+  CheckAtLeast("lights in a frame of interaction", scene.ReadReport("virtual_lights"), 1024,
     "half of 2048: those of before are kept");
   light->SetPosition(1.0, 2.1, 1.0);
   scene.Render();
   scene.Render();
-  CheckAtMost("lights when one has moved", scene.Walk->GetActualNumberOfLights(), 256,
+  CheckAtMost("lights when one has moved", scene.ReadReport("virtual_lights"), 256,
     "twice 128: the number is met about");
   scene.Window->SetDesiredUpdateRate(0.0001);
   scene.Render();
-  CheckAtLeast("lights when all stands again", scene.Walk->GetActualNumberOfLights(), 192,
-    "twice as many paths");
+  CheckAtLeast(
+    "lights when all stands again", scene.ReadReport("virtual_lights"), 192, "twice as many paths");
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Casters between an area light and its receivers, and the part of the light's view that holds
 // them.
+#include "Capture/vtkIndirectDepthTile.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Visibility/vtkIndirectCasterWindow.h"
-#include "Visibility/vtkIndirectDepthTile.h"
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkAppendPolyData.h"

@@ -130,7 +130,7 @@ VTK_INDIRECT_IMAGE(EstimatorInterpolationOff)
 VTK_INDIRECT_IMAGE(EstimatorOccupancy)
 {
   images::AddRoom(picture);
-  picture.Gather->OccupancyOn();
+  picture.Pass->SetVisibilityToVoxels();
 }
 
 VTK_INDIRECT_IMAGE(EstimatorGlossy)

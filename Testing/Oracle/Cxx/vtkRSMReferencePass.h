@@ -67,13 +67,13 @@ public:
 
   ///@{
   /**
-   * The obstacles that hide senders from receivers. NONE: no obstacle, unless Occupancy is on,
-   * which then means the same as VOXELS. VOXELS: occupied voxels and spheres, as with Occupancy.
-   * EXACT: the triangles of all props that cast shadows, and the spheres of mappers that draw such,
-   * by a segment from each pixel to each sender that faces it; both sides of a triangle block.
-   * Mappers without polygons that the processor can read draw other shapes, which block nothing;
-   * the report names such props. Surfaces hide no light from places nearer to them than 1e-5 of the
-   * scene's diagonal. Default NONE.
+   * The obstacles that hide senders from receivers. NONE: those of
+   * vtkIndirectIlluminationPass::Visibility, where AUTO means no obstacle. VOXELS: occupied voxels
+   * and spheres. EXACT: the triangles of all props that cast shadows, and the spheres of mappers
+   * that draw such, by a segment from each pixel to each sender that faces it; both sides of a
+   * triangle block. Mappers without polygons that the processor can read draw other shapes, which
+   * block nothing; the report names such props. Surfaces hide no light from places nearer to them
+   * than 1e-5 of the scene's diagonal. Default NONE.
    */
   vtkIndirectClampMacro(Visibility, int, NONE, EXACT);
   void SetVisibilityToNone() { this->SetVisibility(NONE); }

@@ -60,10 +60,11 @@ void vtkIndirectCaptureLights::Update(
   {
     glm::dmat4 m = map.WorldToLight * viewToWorld;
     m *= frame.SceneScale;
-    Light& light = this->Lights[map.Light];
+    Light& light = this->Lights[map.Light.Index];
     light.ViewToLight = glm::mat4(m);
     light.ShadowMap = glm::vec4(map.FirstLayer, map.Projection, map.HalfWidth, texels);
-    light.ShadowDepth = glm::vec4(map.Near, map.Far, map.Attenuation, map.NumberOfFaces);
+    light.ShadowDepth =
+      glm::vec4(map.Near, map.Far, map.Light.ShadowAttenuation, map.NumberOfFaces);
   };
   for (const vtkIndirectShadowMap& map : shadows->Maps)
   {
@@ -72,7 +73,7 @@ void vtkIndirectCaptureLights::Update(
   for (const vtkIndirectPenumbraMap& penumbra : shadows->Penumbrae)
   {
     set(penumbra.Map, shadows->TileTexels);
-    this->Lights[penumbra.Map.Light].Size = glm::vec4(
+    this->Lights[penumbra.Map.Light.Index].Size = glm::vec4(
       penumbra.Size, penumbra.HoldsAll ? 1.0 : 0.0, shadows->TileColumns, shadows->TileRows);
   }
 }

@@ -105,7 +105,7 @@ bool vtkIndirectCaptureText::IsAdded(const std::string& fragmentShader)
 void vtkIndirectCaptureText::Add(
   std::string& vertexShader, std::string& geometryShader, std::string& fragmentShader) const
 {
-  // A map's projection may differ from the eye's; see vtkIndirectLightMap::GetCamera.
+  // A map's projection may differ from the eye's; see vtkIndirectDepthTile::SetUp.
   for (std::string* text : { &vertexShader, &geometryShader, &fragmentShader })
   {
     ReplaceAll(*text, "cameraParallel", "vtkiParallel");

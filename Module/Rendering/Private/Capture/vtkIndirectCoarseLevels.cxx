@@ -44,14 +44,24 @@ bool vtkIndirectCoarseLevels::IsCurrent(const Entry& entry)
 //------------------------------------------------------------------------------
 void vtkIndirectCoarseLevels::DiscardBuffers(vtkIndirectMeshParts* parts)
 {
-  for (auto* buffer : { &parts->PointBuffer, &parts->IndexBuffer })
+  if (parts && parts->PointBuffer)
   {
-    if (*buffer)
-    {
-      this->Unused.push_back(*buffer);
-      *buffer = nullptr;
-    }
+    this->Unused.insert(this->Unused.end(), { parts->PointBuffer, parts->IndexBuffer });
+    parts->PointBuffer = parts->IndexBuffer = nullptr;
   }
+}
+
+//------------------------------------------------------------------------------
+template <typename Test>
+void vtkIndirectCoarseLevels::RemoveEntries(const Test& goes)
+{
+  const auto discard = [&](const Entry& entry)
+  {
+    this->DiscardBuffers(goes(entry) ? entry.Parts.get() : nullptr);
+    return goes(entry);
+  };
+  this->Entries.erase(
+    std::remove_if(this->Entries.begin(), this->Entries.end(), discard), this->Entries.end());
 }
 
 //------------------------------------------------------------------------------
@@ -191,10 +201,7 @@ std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, doubl
   found->Levels.push_back(std::move(level));
   std::stable_sort(found->Levels.begin(), found->Levels.end(),
     [](const Given& a, const Given& b) { return a.Indices.size() < b.Indices.size(); });
-  if (found->Parts)
-  {
-    this->DiscardBuffers(found->Parts.get());
-  }
+  this->DiscardBuffers(found->Parts.get());
   Join(*found);
   return "";
 }
@@ -202,45 +209,28 @@ std::string vtkIndirectCoarseLevels::Add(vtkProp* prop, vtkPolyData* mesh, doubl
 //------------------------------------------------------------------------------
 void vtkIndirectCoarseLevels::Remove(vtkProp* prop)
 {
-  for (auto it = this->Entries.begin(); it != this->Entries.end();)
-  {
-    if (it->Actor == prop)
-    {
-      this->DiscardBuffers(it->Parts.get());
-      it = this->Entries.erase(it);
-    }
-    else
-    {
-      ++it;
-    }
-  }
+  this->RemoveEntries([prop](const Entry& entry) { return entry.Actor == prop; });
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectCoarseLevels::Update(vtkIndirectFrame& frame)
 {
-  for (auto it = this->Entries.begin(); it != this->Entries.end();)
+  this->RemoveEntries([](const Entry& entry) { return !IsCurrent(entry); });
+  for (const Entry& entry : this->Entries)
   {
-    if (!IsCurrent(*it))
-    {
-      this->DiscardBuffers(it->Parts.get());
-      it = this->Entries.erase(it);
-      continue;
-    }
     // Release as renderers release a removed prop's mapper.
-    if (!frame.Renderer->HasViewProp(it->Actor))
+    if (!frame.Renderer->HasViewProp(entry.Actor))
     {
-      this->DiscardBuffers(it->Parts.get());
+      this->DiscardBuffers(entry.Parts.get());
     }
     for (vtkIndirectCaster& caster : frame.Casters)
     {
       // Maps drawn before the level was added are stale, and so are maps drawn with it after it is
       // gone.
-      caster.Revision = caster.Prop == it->Actor
-        ? vtkIndirectRevision::Join(caster.Revision, it->Time)
+      caster.Revision = caster.Prop == entry.Actor
+        ? vtkIndirectRevision::Join(caster.Revision, entry.Time)
         : caster.Revision;
     }
-    ++it;
   }
   this->RemoveUnneeded(frame);
   this->ReleaseUnused();
@@ -261,10 +251,7 @@ void vtkIndirectCoarseLevels::RemoveUnneeded(const vtkIndirectFrame& frame)
     const Made& made = it->second;
     const bool stays = made.Mesh && needed.count(made.Mesh) > 0 &&
       vtkIndirectRevision::FindShape(made.Mesh) == made.MeshRevision;
-    if (!stays && made.Parts)
-    {
-      this->DiscardBuffers(made.Parts.get());
-    }
+    this->DiscardBuffers(stays ? nullptr : made.Parts.get());
     it = stays ? std::next(it) : this->MadeOf.erase(it);
   }
 }
@@ -287,10 +274,7 @@ vtkIndirectMeshParts* vtkIndirectCoarseLevels::Find(vtkProp* prop)
   const vtkTypeUInt64 revision = vtkIndirectRevision::FindShape(mesh);
   if (made.Mesh != mesh || made.MeshRevision != revision)
   {
-    if (made.Parts)
-    {
-      this->DiscardBuffers(made.Parts.get());
-    }
+    this->DiscardBuffers(made.Parts.get());
     made.Mesh = mesh;
     made.MeshRevision = revision;
     made.Parts =

@@ -89,6 +89,8 @@ private:
   static bool IsCurrent(const Entry& entry);
   static void Join(Entry& entry);
   static std::string Read(vtkPolyData* mesh, Given& level);
+  template <typename Test>
+  void RemoveEntries(const Test& goes);
   void RemoveUnneeded(const vtkIndirectFrame& frame);
   void DiscardBuffers(vtkIndirectMeshParts* parts);
   void ReleaseUnused();

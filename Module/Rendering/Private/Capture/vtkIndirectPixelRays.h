@@ -2,8 +2,7 @@
 // Rays through the pixels of the eye's image or of a light map, for vtkiDepthOnRay.
 #pragma once
 
-#include "Capture/vtkIndirectShadowMaps.h" // for vtkIndirectMapView
-#include "Frame/vtkIndirectFrame.h"        // for the eye's rays
+#include "Frame/vtkIndirectFrame.h" // for the eye's rays
 #include "vtkShaderProgram.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -21,12 +20,6 @@ struct vtkIndirectPixelRays
     return { glm::vec4(2.0 * rays[0].x / frame.Size[0], 2.0 * rays[1].y / frame.Size[1],
                rays[2].x - rays[0].x, rays[2].y - rays[1].y),
       glm::vec3(frame.RaysMeet) };
-  }
-
-  static vtkIndirectPixelRays Make(const vtkIndirectMapView& map)
-  {
-    return { glm::vec4(map.TexelWidth, map.TexelWidth, -map.HalfWidth, -map.HalfWidth),
-      glm::vec3(0.0f) };
   }
 
   void SetUniforms(vtkShaderProgram* program) const

@@ -1,34 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Description of lights' maps for the capture, which draws into them and looks shadows up in them,
-// without access to the maps' owner.
+// Description of lights' maps for the capture, which looks shadows up in them, without access to
+// the maps' owner.
 #pragma once
+
+#include "Frame/vtkIndirectFrame.h" // for the light
 
 #include <glm/glm.hpp> // for the transformation
 #include <vector>      // for the maps
 
-/** A map that surfaces are drawn into; lengths in scene units. */
-struct vtkIndirectMapView
-{
-  bool Positional = false; // the light
-  bool Parallel = true;    // the projection
-  double Near = 0.0;       // along a face's axis
-  double Far = 1.0;
-  double HalfWidth = 1.0;  // tangents (perspective) or scene units (parallel)
-  double TexelWidth = 1.0; // in the same unit
-};
-
 /** A map that shadows are looked up in. */
 struct vtkIndirectShadowMap
 {
-  int Light = 0;                  // vtkIndirectLight::Index
-  glm::dmat4 WorldToLight{ 1.0 }; // world units
+  vtkIndirectLight Light;
+  // The light is at the origin of its frame, and looks along -z; world units.
+  glm::dmat4 WorldToLight{ 1.0 };
   int FirstLayer = 0;
   int NumberOfFaces = 1;
   int Projection = 0;     // VTKI_MAP_...
   double HalfWidth = 1.0; // tangents (perspective) or scene units (parallel)
   double Near = 0.0;      // scene units
   double Far = 1.0;
-  double Attenuation = 1.0; // vtkLight::ShadowAttenuation
 };
 
 /** The maps of a light with a size, one from each of its points: tiles of one texture. */

@@ -5,19 +5,22 @@
 
 #include "Capture/vtkIndirectCaptureLights.h"
 #include "Capture/vtkIndirectCaptureText.h"
+#include "Capture/vtkIndirectDepthTile.h"
 #include "Capture/vtkIndirectGeometryChannels.h"
 #include "Capture/vtkIndirectLightConstants.h"
 #include "Capture/vtkIndirectPixelRays.h"
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Capture/vtkIndirectWithin.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectRendererAccess.h"
 #include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "vtkAbstractMapper.h"
 #include "vtkActor.h"
-#include "vtkCamera.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseVectorKey.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLPolyDataMapper.h"
@@ -159,6 +162,7 @@ struct vtkSurfaceCapturePass::Internals
   std::unordered_map<vtkShaderProgram*, vtkCamera*> ProgramCameras;
   vtkLightCollection* LightsInUse = nullptr; // to be compared only
   vtkCamera* Camera = nullptr;
+  vtkNew<vtkOpenGLCamera> MapCamera;
   vtkRenderer* Renderer = nullptr;
   glm::dvec3 SceneCenter{ 0.0 };
 };
@@ -318,22 +322,37 @@ void vtkSurfaceCapturePass::BeginDepth()
 }
 
 //------------------------------------------------------------------------------
-void vtkSurfaceCapturePass::BeginMap(const vtkIndirectFrame& frame, const vtkIndirectMapView& map)
+void vtkSurfaceCapturePass::DrawMap(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view,
+  int texels, const std::vector<const vtkIndirectCaster*>& casters)
 {
   Internals& in = *this->Internal;
+  view.SetUp(in.MapCamera, frame);
+  vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
+  vtkCamera* const eye = active;
+  active = in.MapCamera;
   in.Stage = Internals::Map;
   in.SceneScale = static_cast<float>(frame.SceneScale);
-  in.StageIsParallel = map.Parallel ? 1 : 0;
-  in.DepthRange[0] = static_cast<float>(map.Near);
-  in.DepthRange[1] = static_cast<float>(map.Far);
+  in.StageIsParallel = view.Parallel ? 1 : 0;
+  in.DepthRange[0] = static_cast<float>(view.Near);
+  in.DepthRange[1] = static_cast<float>(view.Far);
   in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
-  in.PixelRays = vtkIndirectPixelRays::Make(map);
-  in.Camera = frame.Renderer->GetActiveCamera();
+  const glm::dvec2 texel = 2.0 * view.HalfWidth / static_cast<double>(texels);
+  in.PixelRays = { glm::vec4(glm::dvec4(texel, -view.HalfWidth)), glm::vec3(0.0f) };
+  in.Camera = in.MapCamera;
   in.Renderer = frame.Renderer;
   in.SceneCenter = frame.SceneCenter;
-  in.MapLight = glm::vec3(map.Positional ? 1.0 : 0.0, map.TexelWidth, 1.0);
+  in.MapLight = glm::vec3(view.Parallel ? 0.0 : 1.0, texel.x, 1.0);
   in.Window = frame.Window;
   in.ReserveUnit();
+  for (const vtkIndirectCaster* caster : casters)
+  {
+    in.MapLight.z = caster->SendsLight ? 1.0f : 0.0f;
+    // Every shader writes depth; colours are undefined without the capture's outputs.
+    in.UseMap(false, true);
+    caster->Prop->RenderOpaqueGeometry(frame.Renderer);
+  }
+  this->EndStage();
+  active = eye;
 }
 
 //------------------------------------------------------------------------------
@@ -351,14 +370,6 @@ void vtkSurfaceCapturePass::DrawChannel(UnattachedChannel channel)
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendFuncSeparate(GL_ZERO, GL_ZERO, GL_ZERO, GL_ZERO);
   in.UseChannels(vtkIndirectGeometryChannels::Surface, 1);
-}
-
-//------------------------------------------------------------------------------
-void vtkSurfaceCapturePass::BeginCaster(bool sendsLight)
-{
-  this->Internal->MapLight.z = sendsLight ? 1.0f : 0.0f;
-  // Every shader writes depth; colours are undefined without the capture's outputs.
-  this->Internal->UseMap(false, true);
 }
 
 //------------------------------------------------------------------------------

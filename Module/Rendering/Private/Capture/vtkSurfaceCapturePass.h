@@ -28,9 +28,11 @@
 #include "vtkOpenGLRenderPass.h"
 
 #include <memory> // for the internals
+#include <vector> // for casters
 
+struct vtkIndirectCaster;
+struct vtkIndirectDepthTile;
 struct vtkIndirectFrame;
-struct vtkIndirectMapView;
 struct vtkIndirectShadowMaps;
 class vtkOpenGLFramebufferObject;
 
@@ -123,10 +125,9 @@ public:
    * colours are masked.
    */
   void BeginDepth();
-  /** Precedes each prop drawn into a map. sendsLight: the prop is a sender, too. */
-  void BeginCaster(bool sendsLight);
-  /** Begins the stage of one face of a light's map. */
-  void BeginMap(const vtkIndirectFrame& frame, const vtkIndirectMapView& map);
+  /** Draws casters into a view of a map, which has this many texels along an edge. */
+  void DrawMap(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view, int texels,
+    const std::vector<const vtkIndirectCaster*>& casters);
   /** Ends a stage; unbinds its textures. */
   void EndStage();
   /** Returns true if the last stage drew physically based materials, whose colours are encoded. */

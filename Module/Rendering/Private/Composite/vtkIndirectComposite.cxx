@@ -5,7 +5,6 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Capture/vtkIndirectReceiverGrid.h"
-#include "Frame/vtkIndirectEstimate.h"
 #include "Frame/vtkIndirectEyeUniforms.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "LightMaps/vtkIndirectLightMaps.h"
@@ -84,67 +83,60 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
   const vtkIndirectShownChannel* Channel = nullptr;
   double Farthest = 1.0; // world units
 
-  static bool HasGlossy(const Input& input)
+  // Returns the text by which vtkIndirectAddedLight.glsl adds the light up.
+  static std::string DefineLights(const Input& input)
   {
-    return input.Estimate && input.Estimate->Glossy && input.Geometry.HasSpecular();
+    static const char* const sums[] = { "sky", "area", "bounce", "radiance", "radiance" };
+    std::string added[2]; // to irradiance, to radiance
+    for (size_t i = 0; i < input.Lights.size(); ++i)
+    {
+      const vtkIndirectContribution& light = input.Lights[i];
+      const std::string index = "[" + std::to_string(i) + "]";
+      const bool isRadiance = light.Kind >= vtkIndirectContribution::REFLECTED;
+      added[isRadiance] += sums[light.Kind] + std::string(" += ") +
+        (light.Kind == vtkIndirectContribution::LOBE ? "specular * " : "") +
+        (light.Coarse ? "vtkiFetchCoarse(vtkiLights" + index + ", position)"
+                      : "textureLod(vtkiLights" + index + ", place, 0.0f).rgb") +
+        (light.Unit == 1.0 ? "" : " * vtkiUnits" + index) + (isRadiance ? " * scale; " : "; ");
+    }
+    const bool isSpecular = !added[1].empty() && input.Geometry.HasSpecular();
+    return input.Lights.empty() ? std::string()
+                                : "#define VTKI_LIGHTS " + std::to_string(input.Lights.size()) +
+        "\n#define VTKI_ADD_IRRADIANCE " + added[0] + "\n#define VTKI_ADD_RADIANCE " + added[1] +
+        (isSpecular ? "\n#define VTKI_SPECULAR\n" : "\n");
   }
 
-  // The program depends on the form of the irradiance.
   static vtkIndirectProgram Use(
     vtkIndirectFullScreenProgram& kernel, const Input& input, const std::string& definitions)
   {
-    kernel.SetGather(!input.Estimate ? "vtkIndirectIrradianceNone.glsl"
-        : input.Estimate->Coarse     ? "vtkIndirectIrradianceCoarse.glsl"
-                                     : "vtkIndirectIrradianceTexture.glsl");
-    kernel.SetDefinitions(input.Geometry.GetAlbedoDefinitions() +
-      std::string(HasGlossy(input) ? "#define VTKI_GLOSSY\n" : "") +
-      (input.Sky ? "#define VTKI_SKY\n" : "") +
-      (input.SkyBounce ? "#define VTKI_SKY_BOUNCE\n" : "") +
-      (input.Area ? "#define VTKI_AREA\n" : "") +
-      (input.AreaGlossy ? "#define VTKI_AREA_GLOSSY\n" : "") + definitions);
-    return kernel.Use(input.Frame.Window);
+    return kernel.Use(input.Frame.Window,
+      input.Geometry.GetAlbedoDefinitions() + DefineLights(input) + definitions);
   }
 
   static void ActivateFrame(const vtkIndirectProgram& program, const Input& input)
   {
     const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
-    const vtkIndirectEstimate* const estimate = input.Estimate;
     input.Geometry.ActivateAlbedo(program);
     geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
-    if (estimate)
-    {
-      estimate->Irradiance->Activate(0, program, "vtkiIrradiance");
-    }
-    if (estimate && estimate->Coarse)
-    {
-      estimate->Coarse->ActivateAll(program);
-    }
-    if (HasGlossy(input) || input.AreaGlossy)
+    if (input.Geometry.HasSpecular())
     {
       geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
     }
-    if (HasGlossy(input))
+    for (size_t i = 0; i < input.Lights.size(); ++i)
     {
-      estimate->Glossy->Activate(0, program);
-    }
-    for (const vtkIndirectTarget* direct : { input.Sky, input.Area, input.AreaGlossy })
-    {
-      if (direct)
+      const vtkIndirectContribution& light = input.Lights[i];
+      const std::string index = "[" + std::to_string(i) + "]";
+      light.Target->Activate(light.Channel, program, ("vtkiLights" + index).c_str());
+      program->SetUniformf(("vtkiUnits" + index).c_str(), static_cast<float>(light.Unit));
+      if (light.Coarse)
       {
-        direct->Activate(0, program);
+        light.Coarse->ActivateAll(program);
       }
     }
-    if (input.SkyBounce)
-    {
-      input.SkyBounce->Activate(input.SkyBounceChannel, program, "vtkiSkyBounce");
-    }
     vtkIndirectSetEyeUniforms(program, input.Frame);
-    const bool adds = estimate || input.Sky || input.Area;
     program->SetUniformf(
-      "vtkiIndirectScale", adds ? static_cast<float>(input.IndirectScale) : 0.0f);
+      "vtkiIndirectScale", input.Lights.empty() ? 0.0f : static_cast<float>(input.IndirectScale));
     vtkIndirectSetUniform(program, "vtkiGreatest", glm::vec3(input.Greatest));
-    program->SetUniformf(
-      "vtkiIrradianceUnit", estimate ? static_cast<float>(estimate->Unit) : 0.0f);
   }
 };
 

@@ -14,6 +14,7 @@
 
 #pragma once
 
+#include "Frame/vtkIndirectEstimate.h"  // for lists of light
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "vtkIndent.h"                  // for printing
 
@@ -22,13 +23,9 @@
 #include <memory>      // for the internals
 #include <ostream>     // for printing
 #include <string>      // for names
+#include <vector>      // for lists
 
-class vtkIndirectGeometryBuffer;
-class vtkIndirectTarget;
 class vtkImageData;
-class vtkIndirectLightMaps;
-struct vtkIndirectEstimate;
-struct vtkIndirectFrame;
 
 class vtkIndirectComposite : public vtkIndirectResource
 {
@@ -40,14 +37,9 @@ public:
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    const vtkIndirectLightMaps* Maps;    // null without maps
-    const vtkIndirectEstimate* Estimate; // null for none
-    const vtkIndirectTarget* Sky;        // irradiance from the environment, null for none
-    const vtkIndirectTarget* SkyBounce;  // reflection of the sky's light, null for none
-    int SkyBounceChannel;                // channel of that image which holds the estimate
-    const vtkIndirectTarget* Area;       // irradiance from area lights
-    const vtkIndirectTarget* AreaGlossy; // specular reflection of area lights
-    glm::dvec3 Greatest;                 // upper bound of the irradiance, without VTK's lights
+    const vtkIndirectLightMaps* Maps; // null without maps
+    std::vector<vtkIndirectContribution> Lights;
+    glm::dvec3 Greatest; // upper bound of the irradiance, without VTK's lights
     double IndirectScale;
     bool DepthCleared; // the bound framebuffer is empty
     bool DepthDrawn;   // the bound framebuffer has the depth of the frame's opaque props

@@ -55,6 +55,30 @@ struct vtkIndirectEstimateInput
   const std::vector<vtkSmartPointer<vtkAreaLight>>* AreaLights = nullptr;
 };
 
+/** This is an image of light that the composite adds to VTK's shading. */
+struct vtkIndirectContribution
+{
+  enum KindType
+  {
+    SKY,       // VTK irradiance that comes directly from the environment
+    AREA,      // VTK irradiance that comes directly from area lights
+    BOUNCE,    // VTK irradiance that surfaces reflect
+    REFLECTED, // radiance that receivers reflect specularly
+    LOBE       // radiance that lobes of a specular coefficient of one reflect
+  };
+  KindType Kind;
+  const vtkIndirectTarget* Target;
+  int Channel = 0;   // of the target
+  double Unit = 1.0; // light of a stored value of one
+  /**
+   * This is the light at every few pixels from border to border, and Target has values for pixels
+   * of mixed cells; null if each pixel has a value of its own. The composite interpolates it
+   * (vtkIndirectAddedLight.glsl). The fourth component is the kind of the cell of pixels whose
+   * first corner is the sample: VTKI_CELL_EMPTY, _WHOLE or _MIXED.
+   */
+  const vtkIndirectReceiverGrid* Coarse = nullptr;
+};
+
 struct vtkIndirectEstimate
 {
   enum StateType
@@ -64,43 +88,7 @@ struct vtkIndirectEstimate
     CONVERGED
   };
   StateType State = FAILED;
-
-  /**
-   * This is the irradiance over Unit: a value for every pixel, or for pixels of mixed cells if
-   * there is Coarse.
-   */
-  const vtkIndirectTarget* Irradiance = nullptr;
-  /**
-   * This is the irradiance at every few pixels from border to border, null if each pixel has a
-   * value of its own: the composite interpolates it (vtkIndirectIrradianceCoarse.glsl). The fourth
-   * component is the kind of the cell of pixels whose first corner is the sample: VTKI_CELL_EMPTY,
-   * _WHOLE or _MIXED.
-   */
-  const vtkIndirectReceiverGrid* Coarse = nullptr;
-  /**
-   * This is the radiance that lobes of a specular coefficient of one reflect, over Unit; null for
-   * none.
-   */
-  const vtkIndirectTarget* Glossy = nullptr;
-  ///@{
-  /**
-   * This is the VTK irradiance that comes directly from the environment, and the irradiance that
-   * surfaces reflect of the environment's light, in one channel of an image; null for none.
-   */
-  const vtkIndirectTarget* Sky = nullptr;
-  const vtkIndirectTarget* SkyBounce = nullptr;
-  int SkyBounceChannel = 0;
-  ///@}
-  ///@{
-  /**
-   * This is the VTK irradiance that comes directly from area lights, and the radiance that
-   * receivers reflect specularly from them; null for none.
-   */
-  const vtkIndirectTarget* Area = nullptr;
-  const vtkIndirectTarget* AreaGlossy = nullptr;
-  ///@}
-  /** This is the VTK irradiance of a stored value of one. */
-  double Unit = 1.0;
+  std::vector<vtkIndirectContribution> Contributions;
   /**
    * RMS error of the irradiance over its mean, as estimated by the estimator; negative: unknown.
    */

@@ -26,6 +26,7 @@
 #include "vtkRenderer.h"
 
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -52,17 +53,26 @@ int vtkIndirectLight::FindMapProjection() const
 }
 
 //------------------------------------------------------------------------------
+double vtkIndirectLight::FindFalloff(const glm::dvec3& direction, double distance) const
+{
+  const glm::dvec3& a = this->Attenuation;
+  const double divisor = a.x + distance * (a.y + distance * a.z);
+  double falloff = divisor > 0.0 ? 1.0 / divisor : 0.0;
+  if (this->ConeAngle < 90.0)
+  {
+    const double cosine = glm::dot(direction, this->DirectionWC);
+    // VTK's shader gives a spot a hard rim, and powers of the cosine within.
+    falloff *= cosine < std::cos(vtkMath::RadiansFromDegrees(this->ConeAngle))
+      ? 0.0
+      : std::pow(std::max(cosine, 0.0), this->Exponent);
+  }
+  return falloff;
+}
+
+//------------------------------------------------------------------------------
 glm::dmat4 vtkIndirectFrame::ToGLM(vtkMatrix4x4* matrix)
 {
-  glm::dmat4 result;
-  for (int row = 0; row < 4; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
-    {
-      result[column][row] = matrix->GetElement(row, column);
-    }
-  }
-  return result;
+  return glm::transpose(glm::make_mat4(matrix->GetData()));
 }
 
 //------------------------------------------------------------------------------
@@ -388,6 +398,23 @@ glm::dmat4 vtkIndirectFrame::ToScene(const glm::dmat4& frameToWorld) const
   glm::dmat4 result = frameToWorld;
   result[3] = glm::dvec4(this->ToScene(glm::dvec3(frameToWorld[3])), 1.0);
   return result;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec3> vtkIndirectFrame::FindCorners(
+  const glm::dmat3& axes, const glm::dvec3& place) const
+{
+  std::vector<glm::dvec3> corners;
+  corners.reserve(8 * this->Casters.size());
+  for (const vtkIndirectCaster& caster : this->Casters)
+  {
+    for (int i = 0; i < 8; ++i)
+    {
+      const glm::dvec3 corner = this->ToScene(GetCorner(caster.GetFit(), i));
+      corners.push_back(glm::transpose(axes) * (corner - place));
+    }
+  }
+  return corners;
 }
 
 //------------------------------------------------------------------------------

@@ -26,11 +26,18 @@ class vtkRenderer;
 class vtkRenderState;
 struct vtkIndirectReport;
 
-/** A light that is on, as VTK's shaders will use it. */
+/**
+ * An emitter as VTK's shaders use a light: a vtkLight that is on, directions of the sky, or a piece
+ * of an area light.
+ */
 struct vtkIndirectLight
 {
-  vtkLight* Light = nullptr;
-  int Index = 0; // N of VTK's lightColorN
+  vtkLight* Light = nullptr; // null for the sky and for area lights
+  /**
+   * N of VTK's lightColorN. An emitter of the sky or of an area light has the same number in any
+   * frame, whatever it sends.
+   */
+  int Index = 0;
   bool Positional = false;
   glm::dvec3 PositionWC{ 0.0 };
   glm::dvec3 DirectionWC{ 0.0, 0.0, -1.0 }; // unit direction in which the light travels
@@ -55,7 +62,11 @@ struct vtkIndirectLight
    * It is false if one of VTK's numbers is not finite: the light counts as dark, and has no place.
    */
   bool Finite = true;
+  size_t Pieces = 1;   // number of pieces of area lights that it represents
+  int FirstBounce = 1; // first bounce that random walks from it keep
 
+  /** Returns true if surfaces reflect its light. */
+  bool IsReflected() const { return !this->Fill && this->Color != glm::dvec3(0.0); }
   /** This is the largest half angle, in degrees, that one perspective face of a map covers. */
   static constexpr double MaximumSingleFaceAngle = 60.0;
   /**
@@ -63,6 +74,11 @@ struct vtkIndirectLight
    * depends on the light's place.
    */
   int FindMapProjection() const;
+  /**
+   * Returns the attenuation at a distance in world units, times the cone's factor in a unit
+   * direction from the light; 0 where VTK's divisor is not positive.
+   */
+  double FindFalloff(const glm::dvec3& direction, double distance) const;
   /** Appends all properties that decide how the light shines on surfaces. */
   void AppendTo(vtkIndirectKey& key) const;
 };
@@ -166,6 +182,16 @@ struct vtkIndirectFrame
   {
     return (place - this->SceneCenter) * this->SceneScale;
   }
+  /** Returns a place, given in scene units, in world coordinates. */
+  glm::dvec3 ToWorld(const glm::dvec3& place) const
+  {
+    return place / this->SceneScale + this->SceneCenter;
+  }
+  /**
+   * Returns the corners of the boxes that maps are fitted to, eight for each caster: in scene units
+   * from a place, along three axes.
+   */
+  std::vector<glm::dvec3> FindCorners(const glm::dmat3& axes, const glm::dvec3& place) const;
   /** Returns the transform from an affine frame, given in world coordinates, to scene units. */
   glm::dmat4 ToScene(const glm::dmat4& frameToWorld) const;
   /**

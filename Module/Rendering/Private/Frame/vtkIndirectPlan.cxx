@@ -260,11 +260,9 @@ void vtkIndirectPlan::ReportTolerances(const vtkIndirectAbilities& estimator)
 void vtkIndirectPlan::FindVisibility(
   const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
 {
-  const int automatic = estimator.Occupancy ? vtkIndirectVisibilityVoxels
-    : estimator.IsOfPaper                   ? vtkIndirectVisibilityNone
-                                            : estimator.AutomaticVisibility;
-  this->Visibility =
-    settings.Visibility == vtkIndirectVisibilityAutomatic ? automatic : settings.Visibility;
+  this->Visibility = settings.Visibility != vtkIndirectVisibilityAutomatic ? settings.Visibility
+    : estimator.IsOfPaper ? vtkIndirectVisibilityNone
+                          : estimator.AutomaticVisibility;
   if (this->Visibility == vtkIndirectVisibilityMaps && !estimator.TakesLightMaps)
   {
     this->Visibility = vtkIndirectVisibilityVoxels;

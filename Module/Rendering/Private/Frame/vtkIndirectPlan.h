@@ -24,9 +24,8 @@ struct vtkIndirectAbilities
   bool TakesSampler = false; // sums lights of the frame's sampler, not of its own sampler
   bool SpecularTransport = true;
   bool TakesLightMaps = false; // can look visibility up in a map of each virtual light
-  /** Visibility AUTO means this one, unless Occupancy or the preset PAPER says otherwise. */
+  /** Visibility AUTO means this one, unless the preset is PAPER. */
   int AutomaticVisibility = vtkIndirectVisibilityNone;
-  bool Occupancy = false; // Visibility AUTO means voxels
   /** It is true with the preset PAPER: automatic bounces are one, and automatic visibility is none.
    */
   bool IsOfPaper = false;

@@ -97,7 +97,7 @@ double vtkIndirectAreaGather::GetTolerance(const Input& input) const
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate vtkIndirectAreaGather::Sum(const Input& input)
+vtkIndirectEstimate vtkIndirectAreaGather::MakeEstimate(const Input& input)
 {
   vtkIndirectEstimate result;
   Input own = input;
@@ -109,8 +109,12 @@ vtkIndirectEstimate vtkIndirectAreaGather::Sum(const Input& input)
   {
     result.State =
       this->IsFinished() ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::REFINING;
-    result.Area = &this->Irradiance;
-    result.AreaGlossy = this->Specular ? &this->Lobes.GetReflected() : nullptr;
+    result.Contributions = { { vtkIndirectContribution::AREA, &this->Irradiance } };
+    if (this->Specular)
+    {
+      result.Contributions.push_back(
+        { vtkIndirectContribution::REFLECTED, &this->Lobes.GetReflected() });
+    }
   }
   return result;
 }
@@ -208,25 +212,25 @@ bool vtkIndirectAreaGather::SumOpen(const Input& input, vtkIndirectTarget& targe
   target.Begin();
   target.Clear();
   const vtkIndirectAddition addition(frame.Window);
-  for (const auto& lamp : this->Lamps.Get())
+  for (size_t i = 0; done && i < lamps.size(); ++i)
   {
-    vtkIndirectProgram program = this->Kernel.Use(frame.Window);
+    vtkIndirectProgram program = this->Kernel.Use(frame.Window, this->Block.GetDefinitions());
     done = program != nullptr;
-    if (!done)
+    if (done)
     {
-      break;
+      this->Block.Update(frame.Window, this->Lamps, i, 1, nullptr);
+      this->Block.Activate(program);
+      input.Geometry.ActivateReceivers(program, frame);
+      program->SetUniformi("vtkiAreaCount", 1);
+      this->Kernel.Draw();
     }
-    vtkIndirectAreaLamps::SetUniforms(program, frame, *lamp);
-    vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp->Radiance));
-    input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-    this->Kernel.Draw();
   }
   target.End();
   return done;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan&) const
+void vtkIndirectAreaGather::AddToReport(vtkIndirectReport& report) const
 {
   const vtkIndirectAreaLamps::List& lamps = this->Lamps.Get();
   if (lamps.empty())

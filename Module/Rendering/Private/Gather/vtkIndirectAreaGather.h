@@ -7,6 +7,7 @@
 #pragma once
 
 #include "Frame/vtkIndirectFrameLight.h"         // for the base class
+#include "Gather/vtkIndirectAreaBlock.h"         // for a member
 #include "Gather/vtkIndirectAreaLamps.h"         // for a member
 #include "Gather/vtkIndirectAreaLobes.h"         // for a member
 #include "Gather/vtkIndirectAreaMaps.h"          // for a member
@@ -20,14 +21,13 @@ class vtkIndirectAreaGather : public vtkIndirectFrameLight
 public:
   vtkIndirectAreaGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
 
-  const char* GetName() const override { return "light of area lights"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
   bool Update(const Input& input) override;
   bool IsComplete() const override { return !this->Visible || this->Maps.IsComplete(); }
   int GetNumberOfTilesLeft() const override;
   /** Sums the light. Further rounds of points of each light refine a still result. */
-  vtkIndirectEstimate Sum(const Input& input) override;
-  void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
+  vtkIndirectEstimate MakeEstimate(const Input& input) override;
+  void AddToReport(vtkIndirectReport& report) const override;
 
 private:
   bool IsFinished() const;
@@ -44,6 +44,7 @@ private:
   bool Moving = false;
   vtkIndirectFullScreenProgram Kernel{ this,
     "vtkIndirectAreaFS.glsl" };                // for lamps of one radiance
+  vtkIndirectAreaBlock Block{ this, 1, 1 };    // a lamp for the kernel
   vtkIndirectAreaSamples Samples{ this };      // for moving frames
   vtkIndirectAreaSamples StillSamples{ this }; // for images, in still frames
   vtkIndirectAreaRounds Rounds;

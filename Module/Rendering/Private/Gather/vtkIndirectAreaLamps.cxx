@@ -3,10 +3,9 @@
 
 #include "Gather/vtkIndirectAreaLamps.h"
 
-#include "Frame/vtkIndirectEyeUniforms.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectEmitterAccess.h"
+#include "VirtualLights/vtkIndirectSamplePattern.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
@@ -22,24 +21,12 @@ const vtkIndirectChannels PyramidChannels = {
 constexpr int MostRows = 8192;
 
 // Makes a net of points of the square: any power of two of points is such a net, and so is any run
-// of that many points from a multiple of it on (Sobol 1967, the first two dimensions). The flipped
-// digits put the point of each cell of 16, 64 or 1024 points near the cell's middle.
+// of that many points from a multiple of it on. The flipped digits put the point of each cell of
+// 16, 64 or 1024 points near the cell's middle.
 glm::dvec2 PlaceOf(unsigned int number)
 {
   constexpr unsigned int flipped = (1u << 27) | (1u << 25) | (1u << 21);
-  unsigned int x = 0;
-  unsigned int y = 0;
-  unsigned int direction = 1u << 31;
-  for (unsigned int bit = 0; bit < 32; ++bit)
-  {
-    if ((number >> bit) & 1u)
-    {
-      x |= 1u << (31 - bit);
-      y ^= direction;
-    }
-    direction ^= direction >> 1;
-  }
-  return glm::dvec2(x ^ flipped, y ^ flipped) / 4294967296.0;
+  return glm::dvec2(vtkIndirectSamplePattern::SobolDigits(number) ^ flipped) / 4294967296.0;
 }
 }
 
@@ -139,8 +126,7 @@ bool vtkIndirectAreaLamps::Update(
   {
     double mean[3];
     light->GetMeanRadiance(mean);
-    if (light->GetSwitch() && light->GetArea() > 0.0 &&
-      std::max({ mean[0], mean[1], mean[2] }) > 0.0)
+    if (light->GetSwitch() && std::max({ mean[0], mean[1], mean[2] }) > 0.0)
     {
       lit.push_back(light);
     }
@@ -174,18 +160,6 @@ bool vtkIndirectAreaLamps::Update(
   }
   this->PlaceImages();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectAreaLamps::SetUniforms(const vtkIndirectProgram& program,
-  const vtkIndirectFrame& frame, const vtkIndirectRectangle& lamp)
-{
-  vtkIndirectSetEyeUniforms(program, frame);
-  vtkIndirectSetUniform(program, "vtkiAreaCorner", glm::vec3(lamp.Corner));
-  vtkIndirectSetUniform(program, "vtkiAreaEdge1", glm::vec3(lamp.Edge1));
-  vtkIndirectSetUniform(program, "vtkiAreaEdge2", glm::vec3(lamp.Edge2));
-  vtkIndirectSetUniform(program, "vtkiAreaNormal", glm::vec3(lamp.Normal));
-  program->SetUniformi("vtkiAreaTwoSided", lamp.TwoSided ? 1 : 0);
 }
 
 //------------------------------------------------------------------------------

@@ -5,12 +5,12 @@
 // Points stay in place on the rectangle while its image changes, and so do their maps.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"               // for members
-#include "Gather/vtkIndirectAreaPyramid.h"      // for members
-#include "OpenGL/vtkIndirectResource.h"         // for the base class
-#include "OpenGL/vtkIndirectTarget.h"           // for a member
-#include "VirtualLights/vtkIndirectRectangle.h" // for places
-#include "vtkSmartPointer.h"                    // for lights
+#include "Frame/vtkIndirectKey.h"                 // for members
+#include "OpenGL/vtkIndirectResource.h"           // for the base class
+#include "OpenGL/vtkIndirectTarget.h"             // for a member
+#include "VirtualLights/vtkIndirectAreaPyramid.h" // for members
+#include "VirtualLights/vtkIndirectRectangle.h"   // for places
+#include "vtkSmartPointer.h"                      // for lights
 
 #include <glm/glm.hpp> // for places
 #include <memory>      // for lamps
@@ -51,9 +51,6 @@ public:
   bool Update(
     const vtkIndirectFrame& frame, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
   const List& Get() const { return this->Lamps; }
-  /** Sets the uniforms of the eye and of a lamp's place. */
-  static void SetUniforms(const vtkIndirectProgram& program, const vtkIndirectFrame& frame,
-    const vtkIndirectRectangle& lamp);
 
   /** Returns the number of points of each lamp in a round. */
   int GetNumberOfPoints() const;

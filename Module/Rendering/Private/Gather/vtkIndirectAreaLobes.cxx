@@ -24,9 +24,6 @@ const vtkIndirectChannels TableChannels = {
   { "lobe.integrals", "vtkiLobeIntegrals", "of the lobe, and with Schlick's weight", GL_RGBA32F,
     "-", "1" },
 };
-constexpr size_t MostPoints = vtkIndirectAreaLamps::MostPoints;
-constexpr size_t RowsOfLobePoint = 5; // rows of a point in the block
-constexpr size_t RowsOfSides = 10;
 }
 
 //------------------------------------------------------------------------------
@@ -69,56 +66,22 @@ bool vtkIndirectAreaLobes::UpdateTables(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectAreaLobes::SetPoints(
-  const Input& input, const vtkIndirectProgram& program, size_t number)
-{
-  const Lamp& lamp = *input.Lamps.Get()[number];
-  const vtkIndirectAreaMaps& maps = *input.Maps;
-  const std::vector<vtkIndirectAreaLamps::Point>& points = maps.GetPoints(number);
-  const size_t count = std::min(points.size(), input.Points);
-  std::vector<glm::vec4> block(RowsOfLobePoint * MostPoints + RowsOfSides, glm::vec4(0.0f));
-  for (size_t k = 0; k < count; ++k)
-  {
-    const vtkIndirectAreaLamps::Point& point = points[k];
-    block[k] = glm::vec4(glm::dvec4(lamp.GetPlace(point.Place), 0.0));
-    block[MostPoints + k] = glm::vec4(glm::dvec4(point.Weight, 0.0));
-    block[2 * MostPoints + k] = glm::vec4(maps.GetMiddle(point, 0), maps.GetMiddle(point, 1));
-    block[3 * MostPoints + k] = maps.GetWindow(point, 0);
-    block[4 * MostPoints + k] = maps.GetWindow(point, 1);
-  }
-  glm::vec4* const sides = &block[RowsOfLobePoint * MostPoints];
-  for (size_t side = 0; side < 2; ++side)
-  {
-    sides[side] = glm::vec4(maps.GetRange(number, side));
-    for (size_t strip = 0; strip < 4; ++strip)
-    {
-      sides[2 + 4 * side + strip] = maps.GetStripWindow(number, side, strip);
-    }
-  }
-  this->Block.Update(input.Frame.Window, block.data(), block.size() * sizeof(glm::vec4));
-  this->Block.Activate(program);
-  program->SetUniformi("vtkiAreaCount", static_cast<int>(count));
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectAreaLobes::AddLamp(const Input& input, size_t number)
 {
-  const Lamp& lamp = *input.Lamps.Get()[number];
   const vtkIndirectFrame& frame = input.Frame;
-  const bool image = lamp.Row >= 0;
+  const bool image = input.Lamps.Get()[number]->Row >= 0;
   vtkIndirectProgram program = this->Kernels[image].Use(frame.Window,
-    "#define VTKI_AREA_POINTS " + std::to_string(MostPoints) + "\n" +
-      (input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
+    this->Block.GetDefinitions() + (input.Maps ? "#define VTKI_VISIBILITY\n" : "") +
       (frame.PhysicallyBased ? "#define VTKI_LOBE_TABLE\n" : "") +
       (image ? "#define VTKI_AREA_IMAGE\n" : ""));
   if (!program)
   {
     return false;
   }
-  vtkIndirectAreaLamps::SetUniforms(program, frame, lamp);
-  const vtkIndirectTarget& geometry = input.Geometry.GetTarget();
-  geometry.Activate(vtkIndirectGeometryBuffer::Surface, program);
-  geometry.Activate(vtkIndirectGeometryBuffer::Specular, program);
+  this->Block.Update(frame.Window, input.Lamps, number, 1, input.Maps);
+  this->Block.Activate(program);
+  input.Geometry.ActivateReceivers(program, frame);
+  input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Specular, program);
   if (frame.PhysicallyBased)
   {
     this->Tables.Activate(0, program);
@@ -128,18 +91,13 @@ bool vtkIndirectAreaLobes::AddLamp(const Input& input, size_t number)
   }
   if (image)
   {
-    const int place[2] = { lamp.Row, lamp.Pyramid.GetTop() };
-    program->SetUniform2i("vtkiAreaImage", place);
     program->SetUniformf("vtkiAreaTolerance", static_cast<float>(input.Tolerance));
     input.Lamps.GetTexture().Activate(0, program);
   }
-  else
-  {
-    vtkIndirectSetUniform(program, "vtkiAreaRadiance", glm::vec3(lamp.Radiance));
-  }
   if (input.Maps)
   {
-    this->SetPoints(input, program, number);
+    const size_t points = std::min(input.Maps->GetPoints(number).size(), input.Points);
+    program->SetUniformi("vtkiAreaPoints", static_cast<int>(points));
     input.Maps->GetAtlas().Activate(program);
   }
   this->Kernels[image].Draw();

@@ -3,11 +3,11 @@
 // It is not summed in a scene without specular receivers.
 #pragma once
 
+#include "Gather/vtkIndirectAreaBlock.h"         // for a member
 #include "Gather/vtkIndirectAreaLamps.h"         // for lamps
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
-#include "OpenGL/vtkIndirectUniformBlock.h"      // for members
 
 class vtkIndirectAreaMaps;
 class vtkIndirectGeometryBuffer;
@@ -35,13 +35,10 @@ public:
   const vtkIndirectTarget& GetReflected() const { return this->Reflected; }
 
 private:
-  using Lamp = vtkIndirectAreaLamps::Lamp;
-
   bool UpdateTables(const Input& input);
   bool AddLamp(const Input& input, size_t number);
-  void SetPoints(const Input& input, const vtkIndirectProgram& program, size_t number);
 
-  vtkIndirectUniformBlock Block{ this, "vtkiAreaLobeBlock" };
+  vtkIndirectAreaBlock Block{ this, 1, vtkIndirectAreaLamps::MostPoints };
   vtkIndirectFullScreenProgram Kernels[2]; // for one radiance, for images
   vtkIndirectTarget Tables;                // transforms, integrals
   vtkIndirectTarget Reflected;

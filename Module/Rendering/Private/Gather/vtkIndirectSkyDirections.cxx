@@ -20,11 +20,6 @@ constexpr int LeastLattice = vtkIndirectSkyProjection::FineDirections;
 // receiver's horizon cuts counts by the visibility of its middle: an open plane gets less from a
 // uniform sky by a third of the square of the piece's half width, 0.0003.
 constexpr int Pieces = 64;
-
-double Sum(const glm::dvec3& light)
-{
-  return light.x + light.y + light.z;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -73,7 +68,7 @@ void vtkIndirectSkyDirections::FindLight(
     {
       this->Strong.push_back({ i, light[i], sky.Middles[i] });
     }
-    else if (Sum(light[i]) > 0.0)
+    else if (vtkIndirectSkyProjection::SumColors(light[i]) > 0.0)
     {
       others.push_back({ i, light[i], this->Lattice[i] });
     }
@@ -82,7 +77,7 @@ void vtkIndirectSkyDirections::FindLight(
   double rest = 0.0;
   for (size_t i = 0; i < cells.size(); ++i)
   {
-    const double sent = Sum(glm::make_vec3(cells[i].Light));
+    const double sent = vtkIndirectSkyProjection::SumColors(glm::make_vec3(cells[i].Light));
     if (sky.IsStrong(nearest[i]))
     {
       continue;
@@ -147,7 +142,7 @@ std::vector<vtkIndirectSkyDirections::Summand> vtkIndirectSkyDirections::Share(
   std::vector<Summand> shared;
   for (const size_t number : numbers)
   {
-    if (Sum(light[number]) > 0.0)
+    if (vtkIndirectSkyProjection::SumColors(light[number]) > 0.0)
     {
       shared.push_back({ number, light[number], this->Lattice[number] });
     }
@@ -173,8 +168,8 @@ vtkIndirectSkyDirections::OpenSky vtkIndirectSkyDirections::MakeOpenSky(
   std::vector<glm::vec3> summedFlux;
   for (const Summand& summand : summed)
   {
-    summedFlux.emplace_back(
-      0.5 * Sum(summand.Light) / vtkMath::Pi() / this->Unit * this->Lattice[summand.Number]);
+    summedFlux.emplace_back(0.5 * vtkIndirectSkyProjection::SumColors(summand.Light) /
+      vtkMath::Pi() / this->Unit * this->Lattice[summand.Number]);
     sky.SummedFlux += summedFlux.back();
   }
   // The loops go coordinate by coordinate, with the texels inside, so that compilers can vectorize

@@ -265,18 +265,16 @@ bool vtkIndirectSkyGather::UpdateOpenSky(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate vtkIndirectSkyGather::Sum(const Input& input)
+vtkIndirectEstimate vtkIndirectSkyGather::MakeEstimate(const Input& input)
 {
-  vtkIndirectEstimate result;
-  result.Sky = &this->Irradiance;
   const bool still = input.Still && input.Plan.Caching &&
     !this->Groups[Strong].Atlas.HasChanged() && !this->Groups[Others].Atlas.HasChanged();
   this->ChooseSummed();
   input.Timer.Begin(vtkIndirectStageTimer::Sky);
   const bool summed = still || this->SumAll(input);
   input.Timer.End(vtkIndirectStageTimer::Sky);
-  result.State = summed ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::FAILED;
-  return result;
+  return { summed ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::FAILED,
+    { { vtkIndirectContribution::SKY, &this->Irradiance } } };
 }
 
 //------------------------------------------------------------------------------
@@ -452,7 +450,7 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report, const vtkIndirectPlan&) const
+void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
 {
   const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
     this->Directions.GetOthers().size() };

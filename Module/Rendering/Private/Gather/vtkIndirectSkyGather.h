@@ -39,7 +39,6 @@ class vtkIndirectSkyGather : public vtkIndirectFrameLight
 public:
   vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
 
-  const char* GetName() const override { return "light from the sky"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
   /**
    * Asks for maps of strong directions, and for those of the other directions in an order that
@@ -51,8 +50,8 @@ public:
     return this->Groups[Strong].Atlas.GetNumberOfTilesLeft() +
       this->Groups[Others].Atlas.GetNumberOfTilesLeft();
   }
-  vtkIndirectEstimate Sum(const Input& input) override;
-  void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
+  vtkIndirectEstimate MakeEstimate(const Input& input) override;
+  void AddToReport(vtkIndirectReport& report) const override;
 
 protected:
   void ReleaseOwn(vtkWindow* window) override;

@@ -5,6 +5,7 @@
 
 #include "Capture/vtkIndirectCreases.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
@@ -78,6 +79,12 @@ bool vtkIndirectSum::EndContext(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectSum::AppendTo(vtkIndirectKey& key, const Input&) const
+{
+  key.Add("estimator", &this->Pass);
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectEstimate vtkIndirectSum::MakeEstimate(const Input& input)
 {
   this->EstimateTime.Modified();
@@ -89,14 +96,12 @@ vtkIndirectEstimate vtkIndirectSum::MakeEstimate(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const
+void vtkIndirectSum::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan*) const
 {
   using Choice = vtkIndirectSettingList::Choice;
   const bool paper = this->Pass.GetPreset() == vtkIndirectEstimatorPass::PAPER;
   list.Add("Preset", Choice{ paper ? "Paper" : "Robust" })
     .Add("SpecularTransport", this->Pass.GetSpecularTransport())
-    .Add("Occupancy",
-      plan ? plan->Visibility == vtkIndirectVisibilityVoxels : this->Pass.GetOccupancy())
     .Add("OccupancyResolution", this->Pass.GetOccupancyResolution());
 }
 
@@ -107,7 +112,6 @@ vtkIndirectAbilities vtkIndirectSum::GetAbilities(double) const
   abilities.Name = this->Pass.GetClassName();
   abilities.TakesSampler = true;
   abilities.SpecularTransport = this->Pass.GetSpecularTransport();
-  abilities.Occupancy = this->Pass.GetOccupancy();
   abilities.IsOfPaper = this->Pass.GetPreset() == vtkIndirectEstimatorPass::PAPER;
   return abilities;
 }
@@ -128,9 +132,13 @@ vtkIndirectEstimate vtkIndirectSum::MakeResult() const
 {
   vtkIndirectEstimate result;
   result.State = vtkIndirectEstimate::CONVERGED;
-  result.Irradiance = this->Irradiance.get();
-  result.Glossy = this->HasGlossy ? this->Glossy.get() : nullptr;
-  result.Unit = this->IrradianceUnit;
+  result.Contributions = { { vtkIndirectContribution::BOUNCE, this->Irradiance.get(), 0,
+    this->IrradianceUnit } };
+  if (this->HasGlossy)
+  {
+    result.Contributions.push_back(
+      { vtkIndirectContribution::LOBE, this->Glossy.get(), 0, this->IrradianceUnit });
+  }
   return result;
 }
 

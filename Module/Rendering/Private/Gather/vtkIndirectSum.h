@@ -4,9 +4,8 @@
 // the light.
 #pragma once
 
-#include "Frame/vtkIndirectEstimate.h"        // for results
+#include "Frame/vtkIndirectFrameLight.h"      // for the base class
 #include "Frame/vtkIndirectPlan.h"            // for abilities
-#include "OpenGL/vtkIndirectResource.h"       // for the base class
 #include "OpenGL/vtkIndirectTarget.h"         // for members
 #include "VirtualLights/vtkIndirectSampler.h" // for samplers
 #include "vtkSmartPointer.h"                  // for the guard
@@ -19,13 +18,10 @@
 class vtkIndirectContextGuard;
 class vtkIndirectEstimatorPass;
 class vtkIndirectSettingList;
-struct vtkIndirectReport;
 
-class vtkIndirectSum : public vtkIndirectResource
+class vtkIndirectSum : public vtkIndirectFrameLight
 {
 public:
-  using Input = vtkIndirectEstimateInput;
-
   /** pass: the public object that holds this one. */
   explicit vtkIndirectSum(vtkIndirectEstimatorPass& pass);
   ~vtkIndirectSum() override;
@@ -44,13 +40,9 @@ public:
    * the pass that draws frames by this estimator alone has to release its resources, too.
    */
   bool EndContext(vtkWindow* window);
-  /**
-   * Grows with each estimate, and when resources are released: an estimate and its images are valid
-   * as long as this number is the same as right after the estimate.
-   */
-  vtkMTimeType GetEstimateTime() const { return this->EstimateTime.GetMTime(); }
-  /** Makes the frame's irradiance; see Estimate. */
-  vtkIndirectEstimate MakeEstimate(const Input& input);
+  vtkMTimeType GetEstimateTime() const override { return this->EstimateTime.GetMTime(); }
+  void AppendTo(vtkIndirectKey& key, const Input& input) const override;
+  vtkIndirectEstimate MakeEstimate(const Input& input) override;
 
   /**
    * Adds the estimator's settings: those in force in the last frame, of this plan, or, for null,
@@ -71,10 +63,8 @@ public:
     return users;
   }
 
-  /** Returns the bytes of tables in main memory. */
-  virtual size_t GetMainMemoryBytes() const { return 0; }
-  /** Adds what the last frame modelled and left out to the report. Default: one diffuse bounce. */
-  virtual void AddToReport(vtkIndirectReport& report) const;
+  /** Default: one diffuse bounce. */
+  void AddToReport(vtkIndirectReport& report) const override;
 
   /** Returns the names of the estimator's own buffers that can be displayed. */
   virtual std::vector<std::string> GetChannelNames() const { return {}; }

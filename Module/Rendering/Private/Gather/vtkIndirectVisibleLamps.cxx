@@ -15,12 +15,9 @@
 
 namespace
 {
-bool IsSeen(vtkAreaLight* light)
+bool IsSeen(const vtkSmartPointer<vtkAreaLight>& light)
 {
-  int columns;
-  int rows;
-  return light->GetVisible() && light->GetSwitch() && light->GetArea() > 0.0 &&
-    !vtkIndirectEmitterAccess::GetRadiances(light, columns, rows).empty();
+  return light->GetVisible() && light->GetSwitch();
 }
 
 // Returns true if the eye is on a side that sends light.
@@ -56,8 +53,7 @@ struct LampState
 //------------------------------------------------------------------------------
 int vtkIndirectVisibleLamps::Count(const Lights& lights)
 {
-  return static_cast<int>(
-    std::count_if(lights.begin(), lights.end(), [](const auto& light) { return IsSeen(light); }));
+  return static_cast<int>(std::count_if(lights.begin(), lights.end(), IsSeen));
 }
 
 //------------------------------------------------------------------------------
@@ -148,8 +144,7 @@ bool vtkIndirectVisibleLamps::Draw(
   const vtkIndirectFrame& frame, const Lights& lights, vtkIndirectGeometryBuffer& geometry)
 {
   Lights seen;
-  std::copy_if(lights.begin(), lights.end(), std::back_inserter(seen),
-    [](const auto& light) { return IsSeen(light); });
+  std::copy_if(lights.begin(), lights.end(), std::back_inserter(seen), IsSeen);
   for (auto it = this->Pictures.begin(); it != this->Pictures.end();)
   {
     const bool kept = std::find(seen.begin(), seen.end(), it->first) != seen.end();

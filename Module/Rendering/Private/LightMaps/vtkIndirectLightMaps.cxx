@@ -7,15 +7,13 @@
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
-#include "Frame/vtkIndirectRendererAccess.h"
 #include "Frame/vtkIndirectReport.h"
 #include "LightMaps/vtkIndirectLobeTable.h"
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "vtkOpenGLCamera.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkProp.h"
 #include "vtkReflectiveShadowMapPass.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
@@ -40,6 +38,11 @@ const vtkIndirectChannels Channels = {
   // This channel exists only if senders have lobes.
   { "rsm.specular", "vtkiMapSpecular", "specular reflectance, power of the lobe or -roughness",
     GL_RGBA16F, "-", "1" },
+};
+
+const vtkIndirectChannels RowChannels = {
+  { "rsm.rows", "vtkiShadowMaps", "depths of neighbours and their slopes", GL_RGBA32F, "face view",
+    "depth buffer" },
 };
 
 constexpr int SlopeChannel = 2;
@@ -70,7 +73,8 @@ int FindTexels(int texels, int layers, double most, int least)
 vtkIndirectLightMaps::vtkIndirectLightMaps(vtkIndirectResource* owner, vtkObject* caller)
   : vtkIndirectResource(owner)
   , Caller(caller)
-  , Target(this, Channels)
+  , Target(this, Channels, true)
+  , Rows(this, RowChannels, false)
   , Guard(vtkSmartPointer<vtkIndirectContextGuard>::New())
 {
   this->Guard->Release = [this](vtkWindow* window) { this->Release(window); };
@@ -102,9 +106,8 @@ void vtkIndirectLightMaps::AddToReport(vtkIndirectReport& report) const
 {
   report.Bytes += this->GetBytes();
   static const char* const names[] = { "a parallel map", "a perspective map", "faces of a cube" };
-  for (int i = 0; i < this->GetNumberOfMaps(); ++i)
+  for (const vtkIndirectLightMap& map : this->Maps)
   {
-    const vtkIndirectLightMap& map = this->GetMap(i);
     report.Modelled.emplace_back("light " + std::to_string(map.Light.Index),
       std::string(names[map.Projection]) + ", " + std::to_string(map.NumberOfFaces) + " of " +
         std::to_string(this->GetTexels()) + " texels squared");
@@ -130,28 +133,23 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
 {
   this->Resolution = resolution;
   this->Guard->SetContext(frame.Window);
-  this->NumberOfMaps = 0;
+  this->Maps.clear();
   this->NumberOfLayers = 0;
   int mostLayers = 0;
   frame.Window->GetState()->vtkglGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
   int tooMany = 0;
   for (const int index : plan.MapLights)
   {
-    const vtkIndirectLight& light = frame.Lights[index];
-    if (this->NumberOfMaps == static_cast<int>(this->Maps.size()))
-    {
-      this->Maps.emplace_back(new vtkIndirectLightMap);
-    }
-    vtkIndirectLightMap& map = *this->Maps[this->NumberOfMaps];
-    map.Fit(frame, light);
+    vtkIndirectLightMap map;
+    map.Fit(frame, frame.Lights[index]);
     if (this->NumberOfLayers + map.NumberOfFaces > mostLayers)
     {
       ++tooMany;
       continue;
     }
-    ++this->NumberOfMaps;
     map.FirstLayer = this->NumberOfLayers;
     this->NumberOfLayers += map.NumberOfFaces;
+    this->Maps.push_back(map);
   }
   if (tooMany != this->LightsTooMany && tooMany > 0)
   {
@@ -168,7 +166,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   this->Texels = this->NumberOfLayers > MostFacesOfLight
     ? FindTexels(this->Resolution, this->NumberOfLayers, MostTexelsOfAll, LeastTexels)
     : this->Resolution;
-  if (this->NumberOfMaps == 0)
+  if (this->Maps.empty())
   {
     return true;
   }
@@ -183,46 +181,47 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   this->Target.SetNumberOfChannels(ChannelsOfDiffuse + (this->Specular ? 1 : 0));
   if (!this->Target.Resize(frame.Window, this->Texels, this->NumberOfLayers, lost))
   {
-    this->NumberOfMaps = this->NumberOfLayers = 0;
+    this->Maps.clear();
+    this->NumberOfLayers = 0;
     return false;
   }
   if (lost)
   {
-    this->Rows.Release(frame.Window);
     this->Faces.clear();
   }
   this->Faces.resize(this->Target.GetLayers());
 
   struct ChangedFace
   {
-    vtkIndirectLightMap* Map;
-    int Face;
+    const vtkIndirectDepthTile& View;
+    int Layer;
     std::vector<const vtkIndirectCaster*> Casters;
   };
   std::vector<ChangedFace> changed;
-  for (int i = 0; i < this->NumberOfMaps; ++i)
+  for (const vtkIndirectLightMap& map : this->Maps)
   {
-    vtkIndirectLightMap& map = *this->Maps[i];
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
+      const vtkIndirectDepthTile& view = map.Faces[face];
       vtkIndirectKey key;
       map.AppendTo(key);
       std::vector<const vtkIndirectCaster*> casters;
       for (const vtkIndirectCaster& caster : frame.Casters)
       {
-        if (map.CanHold(face, caster.Bounds, this->Texels))
+        if (view.CanSee(frame, caster.Bounds, this->Texels))
         {
           caster.AppendTo(key);
           casters.push_back(&caster);
         }
       }
-      vtkIndirectKey& last = this->Faces[map.FirstLayer + face];
+      const int layer = map.FirstLayer + face;
+      vtkIndirectKey& last = this->Faces[layer];
       if (plan.Caching && last == key)
       {
         continue;
       }
       last = key;
-      changed.push_back({ &map, face, std::move(casters) });
+      changed.push_back({ view, layer, std::move(casters) });
     }
   }
   // The view's programs compute all lights at each texel of each map.
@@ -233,8 +232,13 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   capture->SetOutputs(maps);
   for (const ChangedFace& face : changed)
   {
-    this->DrawFace(frame, capture, *face.Map, face.Face, face.Casters);
-    this->Rows.Forget(face.Map->FirstLayer + face.Face);
+    this->Target.BeginLayer(face.Layer);
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthFunc(GL_LEQUAL);
+    state->vtkglDisable(GL_BLEND);
+    capture->DrawMap(frame, face.View, this->Texels, face.Casters);
+    this->Target.End();
+    this->StaleRows.insert(face.Layer);
     ++this->NumberOfFacesDrawn;
     this->ContentTime.Modified();
   }
@@ -245,42 +249,17 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLightMaps::DrawFace(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-  vtkIndirectLightMap& map, int face, const std::vector<const vtkIndirectCaster*>& casters)
-{
-  vtkOpenGLState* state = frame.Window->GetState();
-  this->Target.BeginLayer(map.FirstLayer + face);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDisable(GL_BLEND);
-
-  vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
-  vtkCamera* const eye = active;
-  active = map.GetCamera(face, frame.Parallel);
-  capture->BeginMap(frame, map.GetView(this->Texels));
-  for (const vtkIndirectCaster* caster : casters)
-  {
-    capture->BeginCaster(caster->SendsLight);
-    caster->Prop->RenderOpaqueGeometry(frame.Renderer);
-  }
-  capture->EndStage();
-  active = eye;
-  this->Target.End();
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
 {
   using namespace vtkIndirectKernels;
   std::vector<float> table(static_cast<size_t>(this->NumberOfLayers) * VTKI_MAP_TABLE_WIDTH * 4);
-  for (int i = 0; i < this->NumberOfMaps; ++i)
+  for (const vtkIndirectLightMap& map : this->Maps)
   {
-    const vtkIndirectLightMap& map = *this->Maps[i];
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
       const int layer = map.FirstLayer + face;
       glm::vec4 row[VTKI_MAP_TABLE_WIDTH];
-      const glm::dmat4 toScene = map.FaceToScene[face];
+      const glm::dmat4 toScene = map.Faces[face].GetToScene();
       const glm::dmat4 fromScene = glm::inverse(toScene);
       for (int r = 0; r < 3; ++r)
       {
@@ -299,7 +278,7 @@ void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
       row[VTKI_MAP_FALLOFF] =
         glm::vec4(light.Attenuation.x, light.Attenuation.y / s, light.Attenuation.z / (s * s),
           cone ? std::pow(std::tan(glm::radians(light.ConeAngle)), 2.0) : -1.0);
-      row[VTKI_MAP_AXIS] = glm::vec4(glm::vec3(map.FaceAxis[face]), face);
+      row[VTKI_MAP_AXIS] = glm::vec4(glm::vec3(light.DirectionWC * glm::dmat3(toScene)), face);
       std::copy(&row[0][0], &row[0][0] + 4 * VTKI_MAP_TABLE_WIDTH,
         table.begin() + 4 * VTKI_MAP_TABLE_WIDTH * layer);
     }
@@ -361,16 +340,46 @@ void vtkIndirectLightMaps::Activate(const vtkIndirectProgram& program) const
 vtkIndirectShadowMaps vtkIndirectLightMaps::ActivateShadows(vtkOpenGLRenderWindow* window)
 {
   vtkIndirectShadowMaps shadows;
-  for (int i = 0; i < this->NumberOfMaps; ++i)
-  {
-    shadows.Maps.push_back(this->Maps[i]->GetShadowMap());
-  }
+  shadows.Maps.assign(this->Maps.begin(), this->Maps.end());
   shadows.Texels = this->Texels;
-  const bool updated = this->Rows.Update(window, this->Target.ActivateShadow(),
-    this->Target.Activate(SlopeChannel), this->Texels, this->Target.GetLayers());
-  this->Target.Deactivate();
-  shadows.Unit = updated ? this->Rows.Activate() : -1;
+  shadows.Unit = this->UpdateRows(window) ? this->Rows.Activate(0) : -1;
   return shadows;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectLightMaps::UpdateRows(vtkOpenGLRenderWindow* window)
+{
+  vtkIndirectFullScreenState kernelState(window);
+  bool lost = false;
+  if (!this->Rows.Resize(window, this->Texels, this->Target.GetLayers(), lost))
+  {
+    return false;
+  }
+  for (int layer = 0; lost && layer < this->Target.GetLayers(); ++layer)
+  {
+    this->StaleRows.insert(layer);
+  }
+  if (this->StaleRows.empty())
+  {
+    return true;
+  }
+  const vtkIndirectProgram program = this->RowKernel.Use(window);
+  if (!program)
+  {
+    return false;
+  }
+  program->SetUniformi("vtkiShadowMaps", this->Target.ActivateShadow());
+  program->SetUniformi("vtkiMapSlope", this->Target.Activate(SlopeChannel));
+  for (const int layer : this->StaleRows)
+  {
+    this->Rows.BeginLayer(layer);
+    program->SetUniformi("vtkiLayer", layer);
+    this->RowKernel.Draw();
+    this->Rows.End();
+  }
+  this->Target.Deactivate();
+  this->StaleRows.clear();
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -6,24 +6,23 @@
 // resolution has changed. A light's strength, falloff and exponent redraw nothing.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"            // for keys
-#include "LightMaps/vtkIndirectLightMap.h"   // for members
-#include "LightMaps/vtkIndirectShadowRows.h" // for members
-#include "OpenGL/vtkIndirectDataTexture.h"   // for members
-#include "OpenGL/vtkIndirectLayeredTarget.h" // for members
-#include "OpenGL/vtkIndirectResource.h"      // for the base class
-#include "vtkIndent.h"                       // for Print
-#include "vtkSmartPointer.h"                 // for members
-#include "vtkTimeStamp.h"                    // for a member
+#include "Frame/vtkIndirectKey.h"                // for keys
+#include "LightMaps/vtkIndirectLightMap.h"       // for members
+#include "OpenGL/vtkIndirectDataTexture.h"       // for members
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
+#include "OpenGL/vtkIndirectLayeredTarget.h"     // for members
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
+#include "vtkIndent.h"                           // for Print
+#include "vtkSmartPointer.h"                     // for members
+#include "vtkTimeStamp.h"                        // for a member
 
-#include <memory> // for maps
+#include <set>    // for layers
 #include <vector> // for maps
 
 class vtkIndirectContextGuard;
 class vtkOpenGLRenderWindow;
 class vtkReflectiveShadowMapPass;
 class vtkSurfaceCapturePass;
-struct vtkIndirectCaster;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
@@ -46,7 +45,7 @@ public:
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     vtkSurfaceCapturePass* capture, int resolution);
   /** Removes all maps. */
-  void Clear() { this->NumberOfMaps = 0; }
+  void Clear() { this->Maps.clear(); }
 
   /**
    * Chooses whether the next maps hold the specular reflections of senders. The capture must write
@@ -56,9 +55,9 @@ public:
   /** Returns true if the maps hold them, so that shaders are built with VTKI_LOBES. */
   bool HasSpecular() const;
 
-  int GetNumberOfMaps() const { return this->NumberOfMaps; }
+  int GetNumberOfMaps() const { return static_cast<int>(this->Maps.size()); }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
-  const vtkIndirectLightMap& GetMap(int i) const { return *this->Maps[i]; }
+  const vtkIndirectLightMap& GetMap(int i) const { return this->Maps[i]; }
   /** Returns the number of faces drawn since construction. */
   vtkIdType GetNumberOfFacesDrawn() const { return this->NumberOfFacesDrawn; }
   /**
@@ -73,7 +72,7 @@ public:
   ///@{
   /** Bind the depths for shadow look-ups; pair. */
   vtkIndirectShadowMaps ActivateShadows(vtkOpenGLRenderWindow* window);
-  void DeactivateShadows() const { this->Rows.Deactivate(); }
+  void DeactivateShadows() { this->Rows.Deactivate(); }
   ///@}
 
   /** Adds the maps and their memory to the report. */
@@ -87,8 +86,7 @@ protected:
 private:
   void UpdateTable(const vtkIndirectFrame& frame);
   void UpdateFresnel(const vtkIndirectFrame& frame);
-  void DrawFace(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    vtkIndirectLightMap& map, int face, const std::vector<const vtkIndirectCaster*>& casters);
+  bool UpdateRows(vtkOpenGLRenderWindow* window);
 
   vtkObject* Caller;
   int Resolution = 0;    // resolution that the last frame asked for
@@ -99,9 +97,12 @@ private:
   vtkTimeStamp ContentTime;
   // Binding textures changes the objects that hold them.
   mutable vtkIndirectLayeredTarget Target;
-  mutable vtkIndirectShadowRows Rows{ this }; // rows of the target's depths, for shadow look-ups
-  std::vector<std::unique_ptr<vtkIndirectLightMap>> Maps;
-  int NumberOfMaps = 0;
+  // Depths in the form of shadow look-ups: a texel holds two neighbours of a row, and the slopes of
+  // their surfaces. A fetch of four channels costs little more than a fetch of one.
+  vtkIndirectLayeredTarget Rows;
+  vtkIndirectFullScreenProgram RowKernel{ this, "vtkIndirectShadowRowsFS.glsl" };
+  std::set<int> StaleRows; // layers whose depths are newer than their rows
+  std::vector<vtkIndirectLightMap> Maps;
   int NumberOfLayers = 0;
   std::vector<vtkIndirectKey> Faces; // the inputs of each layer's image; empty: not drawn
   std::vector<float> Table;

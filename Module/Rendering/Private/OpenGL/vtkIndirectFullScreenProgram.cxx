@@ -37,16 +37,6 @@ void main()
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectFullScreenProgram::SetGather(const std::string& gather)
-{
-  if (gather != this->Gather)
-  {
-    this->Gather = gather;
-    this->Quad.reset();
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectFullScreenProgram::SetDefinitions(const std::string& definitions)
 {
   if (definitions != this->Definitions)

@@ -30,9 +30,6 @@ public:
   /** Use after SetDefinitions. */
   vtkIndirectProgram Use(vtkOpenGLRenderWindow* window, const std::string& definitions);
 
-  /** Sets the file for VTKI_GATHER; a change rebuilds the program. */
-  void SetGather(const std::string& gather);
-
   /** Sets the first lines of the text, such as macros; a change rebuilds the program. */
   void SetDefinitions(const std::string& definitions);
 

@@ -4,33 +4,18 @@
 #include "OpenGL/vtkIndirectLayeredTarget.h"
 
 #include "OpenGL/vtkIndirectArrayTexture.h"
+#include "OpenGL/vtkIndirectTarget.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
-namespace
-{
-size_t BytesPerTexel(unsigned int internalFormat)
-{
-  switch (internalFormat)
-  {
-    case GL_RG16F:
-      return 4;
-    case GL_RG32F:
-    case GL_RGBA16F:
-      return 8;
-    default:
-      return 16;
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 vtkIndirectLayeredTarget::vtkIndirectLayeredTarget(
-  vtkIndirectResource* owner, const vtkIndirectChannels& channels)
+  vtkIndirectResource* owner, const vtkIndirectChannels& channels, bool depth)
   : vtkIndirectResource(owner)
   , Channels(channels)
+  , HasDepth(depth)
   , NumberOfChannels(static_cast<int>(channels.size()))
 {
 }
@@ -80,8 +65,11 @@ bool vtkIndirectLayeredTarget::Resize(
     texture->Allocate(window, this->Channels[i].InternalFormat, texels, layers);
     this->Textures.push_back(texture);
   }
-  this->Depth = vtkSmartPointer<vtkIndirectArrayTexture>::New();
-  this->Depth->Allocate(window, GL_DEPTH_COMPONENT32F, texels, layers);
+  if (this->HasDepth)
+  {
+    this->Depth = vtkSmartPointer<vtkIndirectArrayTexture>::New();
+    this->Depth->Allocate(window, GL_DEPTH_COMPONENT32F, texels, layers);
+  }
   this->Framebuffer = vtkSmartPointer<vtkOpenGLFramebufferObject>::New();
   this->Framebuffer->SetContext(window);
 
@@ -112,15 +100,18 @@ void vtkIndirectLayeredTarget::BeginLayer(int layer)
   {
     this->Textures[i]->AttachLayer(GL_COLOR_ATTACHMENT0 + i, layer);
   }
-  this->Depth->AttachLayer(GL_DEPTH_ATTACHMENT, layer);
   this->Framebuffer->ActivateDrawBuffers(static_cast<unsigned int>(this->NumberOfChannels));
   state->vtkglViewport(0, 0, this->Texels, this->Texels);
   state->vtkglScissor(0, 0, this->Texels, this->Texels);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-  state->vtkglClearDepth(1.0);
-  state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  if (this->Depth)
+  {
+    this->Depth->AttachLayer(GL_DEPTH_ATTACHMENT, layer);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    state->vtkglClearDepth(1.0);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -165,10 +156,10 @@ void vtkIndirectLayeredTarget::Deactivate()
 //------------------------------------------------------------------------------
 size_t vtkIndirectLayeredTarget::GetOwnBytes() const
 {
-  size_t perTexel = 4;
+  size_t perTexel = this->HasDepth ? 4 : 0;
   for (int i = 0; i < this->NumberOfChannels; ++i)
   {
-    perTexel += BytesPerTexel(this->Channels[i].InternalFormat);
+    perTexel += vtkIndirectTarget::FindBytes(this->Channels[i].InternalFormat);
   }
   return perTexel * this->Texels * this->Texels * this->Layers;
 }

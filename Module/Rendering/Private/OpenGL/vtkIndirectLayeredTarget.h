@@ -16,8 +16,9 @@ class vtkOpenGLRenderWindow;
 class vtkIndirectLayeredTarget : public vtkIndirectResource
 {
 public:
-  /** A depth array for shadow look-ups is always added. */
-  vtkIndirectLayeredTarget(vtkIndirectResource* owner, const vtkIndirectChannels& channels);
+  /** depth: true to add a depth array, for shadow look-ups. */
+  vtkIndirectLayeredTarget(
+    vtkIndirectResource* owner, const vtkIndirectChannels& channels, bool depth);
   ~vtkIndirectLayeredTarget() override;
 
   /** Uses only this many of the table's channels, from the first on; takes effect with Resize. */
@@ -31,7 +32,7 @@ public:
    */
   bool Resize(vtkOpenGLRenderWindow* window, int texels, int layers, bool& lost);
 
-  /** Binds one layer for drawing and clears it; pair with End. */
+  /** Binds one layer for drawing, and clears it if there are depths; pair with End. */
   void BeginLayer(int layer);
   void End();
 
@@ -51,6 +52,7 @@ protected:
 
 private:
   const vtkIndirectChannels& Channels;
+  const bool HasDepth;
   int NumberOfChannels;
   int Texels = 0;
   int Layers = 0;

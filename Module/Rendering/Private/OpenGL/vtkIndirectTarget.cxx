@@ -96,6 +96,12 @@ int FindBoundDepthFormat()
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectTarget::FindBytes(unsigned int internalFormat)
+{
+  return FindFormat(internalFormat).Bytes;
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectTarget::vtkIndirectTarget(
   vtkIndirectResource* owner, const vtkIndirectChannels& channels, bool depth, int depthBits)
   : vtkIndirectResource(owner)
@@ -415,7 +421,7 @@ size_t vtkIndirectTarget::GetOwnBytes() const
   size_t perPixel = this->Depth ? this->DepthBits / 8 : 0;
   for (size_t i = 0; i < this->Textures.size(); ++i)
   {
-    perPixel += FindFormat(this->Channels[i].InternalFormat).Bytes;
+    perPixel += FindBytes(this->Channels[i].InternalFormat);
   }
   return this->Framebuffer ? perPixel * this->Width * this->Height : 0;
 }

@@ -57,6 +57,8 @@ public:
    */
   bool CopyBoundColor(const int origin[2]);
 
+  /** Returns the bytes of a texel of an OpenGL format. */
+  static size_t FindBytes(unsigned int internalFormat);
   /** Returns the distance between two depths near one. */
   double GetDepthStep() const;
 

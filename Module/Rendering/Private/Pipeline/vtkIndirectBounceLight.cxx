@@ -8,28 +8,28 @@
 #include "Gather/vtkIndirectSum.h"
 #include "LightMaps/vtkIndirectLightMaps.h"
 #include "Pipeline/vtkIndirectFrameSamplers.h"
+#include "vtkIndirectEstimatorPass.h"
 
 //------------------------------------------------------------------------------
 vtkIndirectBounceLight::vtkIndirectBounceLight(
   vtkIndirectResource* owner, vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps)
-  : vtkIndirectEstimatorLight(owner)
+  : vtkIndirectFrameLight(owner)
   , Samplers(samplers)
   , Visibility(this, maps)
 {
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceLight::SetEstimator(
-  vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users)
+vtkIndirectSum& vtkIndirectBounceLight::GetSum() const
 {
-  this->vtkIndirectEstimatorLight::SetEstimator(estimator);
-  this->Users = users;
+  return vtkIndirectSum::Get(this->Estimator);
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectBounceLight::AppendTo(vtkIndirectKey& key, const Input& input) const
 {
-  key.Add("estimator", this->Estimator).Add("sampler", this->Users);
+  this->GetSum().AppendTo(key, input);
+  key.Add("sampler", this->Users);
   this->Samplers.AppendTo(key);
   const bool maps = input.Plan.Senders == vtkIndirectPlan::MAPS;
   key.Add("light maps", maps ? input.Maps.GetContentTime() : 0);
@@ -93,13 +93,19 @@ bool vtkIndirectBounceLight::Update(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectEstimate vtkIndirectBounceLight::Sum(const Input& input)
+vtkIndirectEstimate vtkIndirectBounceLight::MakeEstimate(const Input& input)
 {
   this->Visibility.UpdateSharing(input.Frame);
   Input own = input;
   own.Still = input.Still && !this->Visibility.GetMaps().HasChanged();
   own.Lights = this->Samplers.GetLights();
-  return this->vtkIndirectEstimatorLight::Sum(own);
+  return this->GetSum().MakeEstimate(own);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkIndirectBounceLight::GetEstimateTime() const
+{
+  return this->GetSum().GetEstimateTime();
 }
 
 //------------------------------------------------------------------------------
@@ -110,21 +116,24 @@ void vtkIndirectBounceLight::Rest(const Input& input)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceLight::AddToReport(
-  vtkIndirectReport& report, const vtkIndirectPlan& plan) const
+size_t vtkIndirectBounceLight::GetMainMemoryBytes() const
 {
-  report.Add(plan.EstimateModelled, plan.EstimateLeftOut);
+  return this->Surfaces.GetBytes() + this->GetSum().GetMainMemoryBytes();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectBounceLight::AddToReport(vtkIndirectReport& report) const
+{
   report.Method = this->Estimator->GetMethodName();
-  report.MainMemoryBytes += this->Surfaces.GetBytes();
-  this->AddEstimatorTo(report);
+  report.Bytes += this->GetSum().GetBytes();
+  this->GetSum().AddToReport(report);
   this->Visibility.AddToReport(report);
   this->Samplers.AddToReport(report);
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectBounceLight::ReleaseOwn(vtkWindow* window)
+void vtkIndirectBounceLight::ReleaseOwn(vtkWindow*)
 {
-  this->vtkIndirectEstimatorLight::ReleaseOwn(window);
   this->Surfaces.Clear();
   this->Blockers.Forget();
 }

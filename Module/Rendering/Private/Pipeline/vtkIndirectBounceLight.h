@@ -3,24 +3,32 @@
 // the estimator that sums them.
 #pragma once
 
-#include "Pipeline/vtkIndirectEstimatorLight.h" // for the base class
+#include "Frame/vtkIndirectFrameLight.h"        // for the base class
 #include "Pipeline/vtkIndirectSphereBlockers.h" // for a member
 #include "Visibility/vtkIndirectSurfaces.h"     // for a member
 #include "Visibility/vtkIndirectVisibility.h"   // for a member
 
+class vtkIndirectEstimatorPass;
 class vtkIndirectFrameSamplers;
+class vtkIndirectSum;
 class vtkVirtualLightSampler;
 
-class vtkIndirectBounceLight : public vtkIndirectEstimatorLight
+class vtkIndirectBounceLight : public vtkIndirectFrameLight
 {
 public:
   vtkIndirectBounceLight(
     vtkIndirectResource* owner, vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps);
 
-  /** Sets the estimator, and the user's sampler, whose changes make lights stale. */
-  void SetEstimator(vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users);
+  /**
+   * Sets the estimator, which must live as long as its result is read, and the user's sampler,
+   * whose changes make lights stale.
+   */
+  void SetSources(vtkIndirectEstimatorPass* estimator, vtkVirtualLightSampler* users)
+  {
+    this->Estimator = estimator;
+    this->Users = users;
+  }
 
-  const char* GetName() const override { return "indirect light"; }
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
   bool Update(const Input& input) override;
   int GetNumberOfTilesLeft() const override
@@ -28,10 +36,12 @@ public:
     return this->Visibility.GetMaps().GetNumberOfTilesLeft();
   }
   bool HasMore(const Input& input) const override;
-  vtkIndirectEstimate Sum(const Input& input) override;
+  vtkIndirectEstimate MakeEstimate(const Input& input) override;
+  vtkMTimeType GetEstimateTime() const override;
   /** Releases depth maps, voxels and surfaces. */
   void Rest(const Input& input) override;
-  void AddToReport(vtkIndirectReport& report, const vtkIndirectPlan& plan) const override;
+  size_t GetMainMemoryBytes() const override;
+  void AddToReport(vtkIndirectReport& report) const override;
 
   const vtkIndirectVisibility& GetVisibility() const { return this->Visibility; }
 
@@ -39,12 +49,14 @@ protected:
   void ReleaseOwn(vtkWindow* window) override;
 
 private:
+  vtkIndirectSum& GetSum() const;
   const vtkIndirectBlockingSpheres* UpdateSurfaces(
     const Input& input, const vtkIndirectVisibilityNeeds& needs);
 
   vtkIndirectFrameSamplers& Samplers;
   vtkIndirectVisibility Visibility;
-  vtkIndirectSphereBlockers Blockers;      // for visibility and surfaces
-  vtkIndirectSurfaces Surfaces;            // for samplers and visibility
+  vtkIndirectSphereBlockers Blockers; // for visibility and surfaces
+  vtkIndirectSurfaces Surfaces;       // for samplers and visibility
+  vtkIndirectEstimatorPass* Estimator = nullptr;
   vtkVirtualLightSampler* Users = nullptr; // valid while a frame is drawn
 };

@@ -20,20 +20,6 @@
 
 #include <algorithm>
 
-namespace
-{
-// Returns the irradiance of a surface that receives all of an environment's light at a right angle.
-double SumIrradiance(vtkEnvironmentLight* environment)
-{
-  glm::dvec3 sum(0.0);
-  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
-  {
-    sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
-  }
-  return std::max({ sum.x, sum.y, sum.z }) / vtkMath::Pi();
-}
-}
-
 //------------------------------------------------------------------------------
 vtkIndirectPipeline::vtkIndirectPipeline()
 {
@@ -87,11 +73,16 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.VisibleAreaLights = vtkIndirectVisibleLamps::Count(this->UsableAreaLights);
   this->Environment =
     request.Environment ? request.Environment : this->ImageLight.Find(this->Frame.Renderer);
-  circumstances.EnvironmentIrradiance = this->Environment ? SumIrradiance(this->Environment) : 0.0;
+  const vtkIndirectSkyProjection::Result dark;
+  const vtkIndirectSkyProjection::Result& skyLight =
+    this->Environment ? this->SkyProjection.Find(this->Environment) : dark;
+  // A surface may receive all of the light at a right angle.
+  circumstances.EnvironmentIrradiance =
+    std::max({ skyLight.Total.x, skyLight.Total.y, skyLight.Total.z }) / vtkMath::Pi();
   circumstances.Environment = circumstances.EnvironmentIrradiance > 0.0;
   if (circumstances.Environment && request.Settings.Caching && request.Settings.SpheresInMotion)
   {
-    this->SphereMotion.Update(this->Frame, this->Environment, interactive);
+    this->SphereMotion.Update(this->Frame, skyLight.HasStrong(), interactive);
     circumstances.SpheresMove = this->SphereMotion.GetWhat();
     circumstances.SpheresFail = this->SphereMotion.GetWhyNot();
   }
@@ -121,11 +112,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   const bool sky = circumstances.Environment && request.Settings.IndirectScale > 0.0;
   if (!sky || this->Plan.SkySource != vtkIndirectPlan::SKY_BY_MAPS)
   {
-    this->ReleaseSkyMaps(this->Frame.Window);
-  }
-  if (!sky)
-  {
-    this->Parts[SKY].Key.Clear();
+    this->SkyMaps.Release(this->Frame.Window);
   }
   // Spheres are kept while they may move again, because building their programs takes seconds.
   if (!sky || !this->SphereMotion.HasMoved())
@@ -136,20 +123,12 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     (this->Plan.VirtualAreaLights && !this->Plan.AreaLights))
   {
     this->Area.Release(this->Frame.Window);
-    this->Parts[AREA].Key.Clear();
   }
   if ((!circumstances.Environment && !circumstances.AreaLights) ||
     request.Settings.IndirectScale == 0.0)
   {
     this->Samplers.ReleaseSenderMaps(this->Frame.Window);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectPipeline::ReleaseSkyMaps(vtkWindow* window)
-{
-  this->SkyMaps.Release(window);
-  this->SkyProjection = vtkIndirectSkyProjection();
 }
 
 //------------------------------------------------------------------------------
@@ -272,6 +251,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
     }
     else
     {
+      part.Key.Clear();
       part.Light->Rest(input);
     }
   }
@@ -306,33 +286,28 @@ void vtkIndirectPipeline::ChooseLights(const Request& request)
   own.HoldContext(this->Frame.Window, this->Identity.GetMTime());
   this->Samplers.Choose(this->Frame, this->Plan,
     own.ChooseSampler(vtkIndirectSampler::Get(request.Sampler), this->Plan));
-  this->Bounce.SetEstimator(this->Estimator, request.Sampler);
-  vtkIndirectEstimatorPass* const estimator = this->GetSkyEstimator();
-  this->EstimatorSky.SetEstimator(estimator, estimator == this->Estimator);
-  if (this->Plan.Sky && estimator)
-  {
-    vtkIndirectSum::Get(estimator).HoldContext(this->Frame.Window, this->Identity.GetMTime());
-  }
+  this->Bounce.SetSources(this->Estimator, request.Sampler);
+  const bool ownSky = this->Plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR;
+  vtkIndirectFrameLight* sky = ownSky ? static_cast<vtkIndirectFrameLight*>(&own) : &this->SkyMaps;
   if (this->Plan.SkySource == vtkIndirectPlan::SKY_BY_SPHERES)
   {
+    vtkIndirectSum& spheres = vtkIndirectSum::Get(this->Spheres);
+    spheres.HoldContext(this->Frame.Window, this->Identity.GetMTime());
     this->Spheres->SetIndirectLight(this->Plan.SpheresBounceSky ? vtkProxyAccumulationPass::SHADOWED
                                                                 : vtkProxyAccumulationPass::OFF);
+    sky = &spheres;
   }
-  vtkIndirectFrameLight* const sky =
-    estimator ? static_cast<vtkIndirectFrameLight*>(&this->EstimatorSky) : &this->SkyMaps;
-  vtkIndirectFrameLight* const lights[NUMBER_OF_PARTS] = { &this->Bounce, sky, &this->Area };
-  const bool asked[NUMBER_OF_PARTS] = { this->Plan.Irradiance, this->Plan.Sky,
-    this->Plan.AreaLights };
-  for (int i = 0; i < NUMBER_OF_PARTS; ++i)
+  auto choose =
+    [](Part& part, const char* name, vtkIndirectFrameLight* light, bool isAsked, bool isOfEstimator)
   {
-    Part& part = this->Parts[i];
-    if (part.Light != lights[i] || !lights[i]->IsCurrent())
-    {
-      part.Key.Clear();
-    }
-    part.Light = lights[i];
-    part.IsAsked = asked[i];
-  }
+    part.Name = name;
+    part.Light = light;
+    part.IsAsked = isAsked;
+    part.IsOfEstimator = isOfEstimator;
+  };
+  choose(this->Parts[0], "indirect light", &this->Bounce, this->Plan.Irradiance, true);
+  choose(this->Parts[1], "light from the sky", sky, this->Plan.Sky, ownSky);
+  choose(this->Parts[2], "light of area lights", &this->Area, this->Plan.AreaLights, false);
 }
 
 //------------------------------------------------------------------------------
@@ -355,7 +330,7 @@ void vtkIndirectPipeline::UpdatePart(Part& part, const vtkIndirectFrameLight::In
   vtkIndirectFrameLight& light = *part.Light;
   vtkIndirectKey key = this->FrameKey;
   light.AppendTo(key, input);
-  part.IsStill = key == part.Key && !light.HasMore(input);
+  part.IsStill = key == part.Key && part.Time == light.GetEstimateTime() && !light.HasMore(input);
   part.IsThere = part.IsStill && this->Plan.Caching &&
     part.Result.State == vtkIndirectEstimate::CONVERGED && light.IsComplete();
   part.IsNew = !part.IsThere && key != part.Failed;
@@ -386,25 +361,15 @@ void vtkIndirectPipeline::SumPart(
   }
   vtkIndirectFrameLight::Input own = input;
   own.Still = part.IsStill;
-  part.Result = mapsDrawn ? part.Light->Sum(own) : vtkIndirectEstimate();
+  part.Result = mapsDrawn ? part.Light->MakeEstimate(own) : vtkIndirectEstimate();
+  part.Time = part.Light->GetEstimateTime();
   part.IsThere = part.Result.State != vtkIndirectEstimate::FAILED;
   if (part.IsThere)
   {
     part.Key = std::move(part.Failed);
     part.Failed.Clear();
-    const bool estimates = part.Light == &this->Bounce ||
-      (part.Light == &this->EstimatorSky && this->GetSkyEstimator() == this->Estimator);
-    this->NumberOfEstimates += estimates ? 1 : 0;
+    this->NumberOfEstimates += part.IsOfEstimator ? 1 : 0;
   }
-}
-
-//------------------------------------------------------------------------------
-// Returns the estimator that computes the sky's light without maps; null if maps are looked up.
-vtkIndirectEstimatorPass* vtkIndirectPipeline::GetSkyEstimator() const
-{
-  return this->Plan.SkySource == vtkIndirectPlan::SKY_BY_SPHERES ? this->Spheres
-    : this->Plan.SkySource == vtkIndirectPlan::SKY_BY_ESTIMATOR  ? this->Estimator
-                                                                 : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -417,28 +382,29 @@ void vtkIndirectPipeline::AppendAreaLights(vtkIndirectKey& key) const
 }
 
 //------------------------------------------------------------------------------
-// Returns a part of the last frame; null if the frame has none, or another pass has used its
-// images.
-const vtkIndirectPipeline::Part* vtkIndirectPipeline::GetPart(PartType type) const
+// Returns true if the last frame has this light, and no other pass has used its images since.
+bool vtkIndirectPipeline::IsCurrent(const Part& part) const
 {
-  const Part& part = this->Parts[type];
-  return part.IsThere && part.Light->IsCurrent() ? &part : nullptr;
+  return part.IsThere && (this->Estimator || !part.IsOfEstimator) &&
+    part.Time == part.Light->GetEstimateTime();
 }
 
 //------------------------------------------------------------------------------
 // Returns a bound of the irradiance. If all light comes from the sky, a receiver sees radiances of
 // the sky and of surfaces. No surface reflects more than it receives, so none of these radiances
 // exceeds the sky's greatest. Lamps have no radiance that bounds their irradiance.
-glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
+glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance(
+  const std::vector<vtkIndirectContribution>& lights) const
 {
-  const std::vector<vtkIndirectLight>& lights = this->Frame.Lights;
   const bool lamps = this->Plan.AreaLights || this->Plan.VirtualAreaLights ||
     this->Plan.OtherSamplers ||
-    std::any_of(lights.begin(), lights.end(),
+    std::any_of(this->Frame.Lights.begin(), this->Frame.Lights.end(),
       [](const vtkIndirectLight& light) { return light.Color != glm::dvec3(0.0); });
+  const bool sky = std::any_of(lights.begin(), lights.end(),
+    [](const auto& light) { return light.Kind == vtkIndirectContribution::SKY; });
   glm::dvec3 greatest(1e30);
   // The bound fails for an unoccluded sky, which shines through surfaces and adds to their light.
-  if (this->Parts[SKY].IsThere && this->Plan.SkyIsShadowed && this->Environment && !lamps)
+  if (sky && this->Plan.SkyIsShadowed && this->Environment && !lamps)
   {
     vtkIndirectEmitterAccess::GetGreatestRadiance(this->Environment, &greatest[0]);
   }
@@ -449,14 +415,17 @@ glm::dvec3 vtkIndirectPipeline::FindGreatestIrradiance() const
 vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 {
   const bool maps = this->Plan.Senders == vtkIndirectPlan::MAPS;
-  const Part* const bounce = this->GetPart(BOUNCE);
-  const Part* const skyPart = this->GetPart(SKY);
-  const Part* const areaPart = this->GetPart(AREA);
-  const vtkIndirectEstimate sky = skyPart ? skyPart->Result : vtkIndirectEstimate();
-  const vtkIndirectEstimate area = areaPart ? areaPart->Result : vtkIndirectEstimate();
-  return { this->Frame, this->Geometry, maps ? &this->Maps : nullptr,
-    bounce ? &bounce->Result : nullptr, sky.Sky, sky.SkyBounce, sky.SkyBounceChannel, area.Area,
-    area.AreaGlossy, this->FindGreatestIrradiance(), this->Plan.IndirectScale, this->TargetIsClear,
+  std::vector<vtkIndirectContribution> lights;
+  for (const Part& part : this->Parts)
+  {
+    if (this->IsCurrent(part))
+    {
+      const auto& more = part.Result.Contributions;
+      lights.insert(lights.begin(), more.begin(), more.end()); // the composite adds bounces last
+    }
+  }
+  return { this->Frame, this->Geometry, maps ? &this->Maps : nullptr, lights,
+    this->FindGreatestIrradiance(lights), this->Plan.IndirectScale, this->TargetIsClear,
     this->DepthIsDrawn };
 }
 
@@ -465,7 +434,8 @@ bool vtkIndirectPipeline::RenderChannel(const std::string& name)
 {
   const vtkIndirectComposite::Input input = this->MakeCompositeInput();
   return this->Composite.RenderChannel(input, name) ||
-    (this->GetPart(BOUNCE) &&
+    (std::any_of(std::begin(this->Parts), std::end(this->Parts),
+       [this](const Part& part) { return part.IsOfEstimator && this->IsCurrent(part); }) &&
       this->Composite.RenderChannel(input,
         [&]() {
           return vtkIndirectSum::Get(this->Estimator)
@@ -512,8 +482,8 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   this->Frame.Window->MakeCurrent();
   if (vtkIndirectFrameSamplers::IsTable(name))
   {
-    return this->Parts[BOUNCE].IsThere ? this->Samplers.Copy(this->Frame, name, image)
-                                       : "the last frame used no virtual lights";
+    return this->Plan.Irradiance ? this->Samplers.Copy(this->Frame, name, image)
+                                 : "the last frame used no virtual lights";
   }
   if (this->RenderChannel(name))
   {
@@ -524,7 +494,8 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   int channel = 0;
   if (!vtkIndirectComposite::ParseMapChannel(name, map, channel))
   {
-    return this->Parts[BOUNCE].IsThere && !this->GetPart(BOUNCE)
+    return std::any_of(std::begin(this->Parts), std::end(this->Parts),
+             [this](const Part& part) { return part.IsThere && !this->IsCurrent(part); })
       ? "another pass has used its estimator since"
       : "the last frame computed no indirect light";
   }

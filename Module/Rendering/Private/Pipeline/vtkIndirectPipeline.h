@@ -11,7 +11,6 @@
 #include "Composite/vtkIndirectAntialiasing.h"      // for members
 #include "Composite/vtkIndirectComposite.h"         // for members
 #include "Frame/vtkIndirectCasterBounds.h"          // for a member
-#include "Frame/vtkIndirectEstimate.h"              // for members
 #include "Frame/vtkIndirectFrame.h"                 // for members
 #include "Frame/vtkIndirectKey.h"                   // for keys
 #include "Frame/vtkIndirectPlan.h"                  // for members
@@ -22,7 +21,6 @@
 #include "Gather/vtkIndirectVisibleLamps.h"         // for members
 #include "OpenGL/vtkIndirectResource.h"             // for the base class
 #include "Pipeline/vtkIndirectBounceLight.h"        // for a member
-#include "Pipeline/vtkIndirectEstimatorSky.h"       // for a member
 #include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
 #include "Pipeline/vtkIndirectImageLight.h"         // for members
 #include "Pipeline/vtkIndirectSphereMotion.h"       // for a member
@@ -119,37 +117,31 @@ private:
   // One kind of light of the frame.
   struct Part
   {
+    const char* Name = ""; // in the report
     vtkIndirectFrameLight* Light = nullptr;
-    bool IsAsked = false; // the plan needs it
-    bool IsNew = false;   // its result is made in this frame
-    bool IsStill = false; // its inputs are those of the last result
-    bool Waits = false;   // it waits for its depth maps
-    bool IsThere = false; // Result is of the last frame
+    bool IsOfEstimator = false; // of the frame's estimator, which may be deleted between frames
+    bool IsAsked = false;       // the plan needs it
+    bool IsNew = false;         // its result is made in this frame
+    bool IsStill = false;       // its inputs are those of the last result
+    bool Waits = false;         // it waits for its depth maps
+    bool IsThere = false;       // Result is of the last frame
     vtkIndirectEstimate Result;
+    vtkMTimeType Time = 0; // GetEstimateTime of Result
     vtkIndirectKey Key;    // the inputs of Result; empty if there is none
     vtkIndirectKey Failed; // the inputs of an attempt without a result: the light is tried again
                            // when they change
-  };
-  enum PartType
-  {
-    BOUNCE,
-    SKY,
-    AREA,
-    NUMBER_OF_PARTS
   };
 
   vtkIndirectKey MakeFrameKey() const;
   void ChooseLights(const Request& request);
   void UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input);
   void SumPart(Part& part, const vtkIndirectFrameLight::Input& input, bool mapsDrawn);
-  const Part* GetPart(PartType type) const;
-  vtkIndirectEstimatorPass* GetSkyEstimator() const;
+  bool IsCurrent(const Part& part) const;
   void AppendAreaLights(vtkIndirectKey& key) const;
   void AddCoarseMapsToReport(vtkIndirectReport& report) const;
   bool UpdateSenderMaps();
-  void ReleaseSkyMaps(vtkWindow* window);
   vtkIndirectComposite::Input MakeCompositeInput() const;
-  glm::dvec3 FindGreatestIrradiance() const;
+  glm::dvec3 FindGreatestIrradiance(const std::vector<vtkIndirectContribution>& lights) const;
   bool RenderChannel(const std::string& name);
 
   vtkIndirectLightMaps& Maps = vtkIndirectLightMaps::Get(this->MapsPass);
@@ -161,8 +153,7 @@ private:
   vtkIndirectBounceLight Bounce{ this, Samplers, DepthMaps };
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };
-  vtkIndirectEstimatorSky EstimatorSky{ this }; // replaces SkyMaps
-  vtkNew<vtkProxyAccumulationPass> Spheres;     // an estimator for EstimatorSky
+  vtkNew<vtkProxyAccumulationPass> Spheres; // its sum replaces SkyMaps
   vtkIndirectSphereMotion SphereMotion;
   vtkIndirectAreaGather Area{ this, DepthMaps };
   vtkIndirectVisibleLamps VisibleLamps{ this };
@@ -179,7 +170,7 @@ private:
   std::vector<vtkSmartPointer<vtkAreaLight>> UsableAreaLights; // includes lights that are off
   std::vector<vtkSmartPointer<vtkAreaLight>> ClosedAreaLights; // usable, and no virtual lights
   bool BuffersAreThere = false;
-  Part Parts[NUMBER_OF_PARTS];
+  Part Parts[3];
   long long NumberOfEstimates = 0;
   std::string WhyNoBuffers = "no frame has been rendered yet";
   // This is the estimator of the last frame: its buffers stay readable when the pass gets another

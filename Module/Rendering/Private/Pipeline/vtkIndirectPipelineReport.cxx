@@ -5,7 +5,6 @@
 #include "Pipeline/vtkIndirectPipeline.h"
 
 #include "Frame/vtkIndirectReport.h"
-#include "Gather/vtkIndirectSum.h"
 #include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "Pipeline/vtkIndirectLighting.h"
@@ -103,7 +102,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   long long& left = report.Counters["tiles_left"];
   for (const Part& part : this->Parts)
   {
-    left += part.IsThere || part.Waits ? part.Light->GetNumberOfTilesLeft() : 0;
+    left += this->IsCurrent(part) || part.Waits ? part.Light->GetNumberOfTilesLeft() : 0;
   }
   this->Frame.AddToReport(report);
   if (!this->BuffersAreThere)
@@ -117,8 +116,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   }
   report.BackEndChoices = this->BackEndChoices;
   report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Creases.GetBytes() +
-    this->Antialiasing.GetBytes() + this->SkyMaps.GetBytes() + this->Area.GetBytes() +
-    this->VisibleLamps.GetBytes();
+    this->Antialiasing.GetBytes() + this->VisibleLamps.GetBytes();
   report.Changed = this->FrameKey.FindChanges(this->LastFrameKey);
   report.Add(this->Plan.Modelled, this->Plan.LeftOut);
   if (this->Plan.Antialiasing && !this->Antialiasing.GetWhyNot().empty())
@@ -137,15 +135,21 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   }
   for (const Part& part : this->Parts)
   {
-    if (part.IsThere && part.Light->IsCurrent())
+    if (this->IsCurrent(part))
     {
-      part.Light->AddToReport(report, this->Plan);
+      if (part.IsOfEstimator)
+      {
+        report.Add(this->Plan.EstimateModelled, this->Plan.EstimateLeftOut);
+      }
+      report.Bytes += part.Light->GetBytes();
+      report.MainMemoryBytes += part.Light->GetMainMemoryBytes();
+      part.Light->AddToReport(report);
       report.EstimatedError = std::max(report.EstimatedError, part.Result.Error);
     }
     else if (part.IsAsked)
     {
       report.LeftOut.emplace_back(
-        part.Light->GetName(), part.Waits ? WhyItWaits : "its computation had an error");
+        part.Name, part.Waits ? WhyItWaits : "its computation had an error");
     }
   }
   this->DepthMaps.AddToReport(report);

@@ -5,7 +5,6 @@
 #include "Frame/vtkIndirectInformationKeys.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxyLight.h"
-#include "vtkEnvironmentLight.h"
 
 #include <utility>
 
@@ -19,8 +18,7 @@ constexpr double MostSpheres = 100000.0;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSphereMotion::Update(
-  const vtkIndirectFrame& frame, vtkEnvironmentLight* environment, bool interactive)
+void vtkIndirectSphereMotion::Update(const vtkIndirectFrame& frame, bool hasSun, bool interactive)
 {
   if (frame.IsFurtherPart())
   {
@@ -54,9 +52,8 @@ void vtkIndirectSphereMotion::Update(
     this->What =
       std::to_string(static_cast<long long>(moved)) + " spheres have moved in frames on end";
   }
-  this->WhyNot = this->Sky.Find(environment, vtkIndirectSkyProjection::FineDirections).HasStrong()
-    ? "the environment has a sun, whose shadows they blur"
-    : this->FindWhyNot(frame, splats);
+  this->WhyNot =
+    hasSun ? "the environment has a sun, whose shadows they blur" : this->FindWhyNot(frame, splats);
   this->Moved = this->WhyNot.empty();
 }
 

@@ -12,22 +12,21 @@
 // motion, still ones too, so that their shadows do not come and go.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"                   // for a member
-#include "Proxies/vtkIndirectProxyShapes.h"         // for a member
-#include "VirtualLights/vtkIndirectSkyProjection.h" // for a member
+#include "Frame/vtkIndirectKey.h"           // for a member
+#include "Proxies/vtkIndirectProxyShapes.h" // for a member
 
 #include <string>        // for reasons
 #include <unordered_map> // for props of the last frame
 
-class vtkEnvironmentLight;
 class vtkProp;
 struct vtkIndirectFrame;
 
 class vtkIndirectSphereMotion
 {
 public:
-  /** Updates the detection; to be called once a frame. */
-  void Update(const vtkIndirectFrame& frame, vtkEnvironmentLight* environment, bool interactive);
+  /** Updates the detection; to be called once a frame. hasSun: some of the sky's light is strong.
+   */
+  void Update(const vtkIndirectFrame& frame, bool hasSun, bool interactive);
 
   /** Returns the moving spheres, in words; empty if there are none. */
   const std::string& GetWhat() const { return this->What; }
@@ -57,5 +56,4 @@ private:
   bool Moved = false;
   std::string What;
   std::string WhyNot;
-  vtkIndirectSkyProjection Sky; // tells whether the environment has a sun
 };

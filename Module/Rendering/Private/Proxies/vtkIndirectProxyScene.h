@@ -15,6 +15,8 @@
 class vtkDataSet;
 class vtkMapper;
 class vtkObject;
+class vtkPolyData;
+class vtkProp;
 struct vtkIndirectFrame;
 struct vtkIndirectReport;
 

@@ -93,6 +93,7 @@ vtkIndirectAbilities vtkIndirectHintSum::GetAbilities(double tolerance) const
   vtkIndirectAbilities abilities = this->vtkIndirectSum::GetAbilities(tolerance);
   abilities.MaximumNumberOfBounces = 16;
   abilities.TakesSampler = false;
+  abilities.AutomaticVisibility = vtkIndirectVisibilityVoxels;
   abilities.ReadsMaps = !this->Set.Details->Dense;
   abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
   return abilities;
@@ -168,9 +169,10 @@ vtkIndirectEstimate vtkIndirectHintSum::Estimate(const Input& input)
   vtkIndirectEstimate result = this->MakeResult();
   result.State = this->Converged ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::REFINING;
   const vtkIndirectReceiverGrid& coarse = this->GetCoarse();
+  vtkIndirectContribution& irradiance = result.Contributions.front();
   const bool interpolated = coarse.GetStep() > 1;
-  result.Irradiance = interpolated ? result.Irradiance : &coarse;
-  result.Coarse = interpolated ? &coarse : nullptr;
+  irradiance.Target = interpolated ? irradiance.Target : &coarse;
+  irradiance.Coarse = interpolated ? &coarse : nullptr;
   return result;
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VirtualLights/vtkIndirectDirections.h"
-#include "VirtualLights/vtkIndirectEmitterAccess.h"
 
 #include "vtkMath.h"
 
@@ -87,27 +86,19 @@ std::vector<glm::dvec3> vtkIndirectDirections::MakeNestedLattice(int count)
 }
 
 //------------------------------------------------------------------------------
-std::vector<size_t> vtkIndirectDirections::FindNearest(
-  const std::vector<vtkIndirectEmitterAccess::Cell>& cells,
-  const std::vector<glm::dvec3>& directions, size_t count)
+size_t vtkIndirectDirections::FindNearest(
+  const glm::dvec3& direction, const std::vector<glm::dvec3>& directions)
 {
-  std::vector<size_t> result;
-  result.reserve(cells.size());
-  for (const vtkIndirectEmitterAccess::Cell& cell : cells)
+  size_t nearest = 0;
+  double most = -2.0;
+  for (size_t i = 0; i < directions.size(); ++i)
   {
-    const glm::dvec3 d(cell.Direction[0], cell.Direction[1], cell.Direction[2]);
-    size_t nearest = 0;
-    double most = -2.0;
-    for (size_t i = 0; i < count; ++i)
+    const double cosine = glm::dot(direction, directions[i]);
+    if (cosine > most)
     {
-      const double cosine = glm::dot(d, directions[i]);
-      if (cosine > most)
-      {
-        most = cosine;
-        nearest = i;
-      }
+      most = cosine;
+      nearest = i;
     }
-    result.push_back(nearest);
   }
-  return result;
+  return nearest;
 }

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Directions in which an environment is sampled, and the cells that each of them represents.
+// Directions in which an environment is sampled; each of them represents what is nearest to it.
 #pragma once
-
-#include "VirtualLights/vtkIndirectEmitterAccess.h"
-#include "vtkEnvironmentLight.h" // for its cells
 
 #include <glm/glm.hpp> // for directions
 #include <vector>      // for lists
@@ -25,7 +22,6 @@ std::vector<glm::dvec3> MakeLattice(int count);
  */
 std::vector<glm::dvec3> MakeNestedLattice(int count);
 
-/** Returns for each cell the nearest one of the first `count` directions. */
-std::vector<size_t> FindNearest(const std::vector<vtkIndirectEmitterAccess::Cell>& cells,
-  const std::vector<glm::dvec3>& directions, size_t count);
+/** Returns the number of the one of `directions` that is nearest to a direction; all are unit. */
+size_t FindNearest(const glm::dvec3& direction, const std::vector<glm::dvec3>& directions);
 }

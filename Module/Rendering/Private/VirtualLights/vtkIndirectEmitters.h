@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Emitters that light senders besides the renderer's lights: the sky in a few directions, and
-// rectangles in a few pieces. Each of them is a light with a map, as the renderer's lights are.
+// rectangles in a few pieces. Each of them is a light with a map, as the renderer's lights are. Its
+// colour is VTK's colour times intensity.
 #pragma once
 
 #include "Frame/vtkIndirectFrame.h" // for lights
@@ -12,20 +13,9 @@ class vtkAreaLight;
 class vtkEnvironmentLight;
 class vtkIndirectSkyProjection;
 
-struct vtkIndirectEmitter
-{
-  /** Emitters of the same place have the same number in any frame, whatever they send. */
-  int Number = 0;
-  /** The light has colour one: maps do not depend on how much light there is. */
-  vtkIndirectLight Light;
-  glm::dvec3 Strength{ 0.0 }; // VTK's colour times intensity
-  size_t Pieces = 1;          // number of pieces that it represents
-  int FirstBounce = 1;        // first bounce that random walks from the emitter keep
-};
-
 namespace vtkIndirectEmitters
 {
-using List = std::vector<vtkIndirectEmitter>;
+using List = std::vector<vtkIndirectLight>;
 
 /** This is the number of groups of directions of the sky, without those of one direction. */
 constexpr int NumberOfSkyGroups = 32;
@@ -42,11 +32,11 @@ void AddSky(List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironment
 constexpr size_t MostPieces = 64;
 
 /**
- * Adds pieces of area lights: 4 x 4 of a single light, 2 x 2 of each if up to four lights are on
- * or, for a single light, in haste, and else one. A piece is a spot that sends by the cosine, from
- * a place within the piece, and gives a surface the irradiance of a disk of the piece's area.
- * Pieces stay in place while an image changes. If there would be more than MostPieces, pieces that
- * are near each other and face alike are joined.
+ * Adds pieces of the lights that are on, which all shine into the scene: 4 x 4 of a single light, 2
+ * x 2 of each if up to four lights are on or, for a single light, in haste, and else one. A piece
+ * is a spot that sends by the cosine, from a place within the piece, and gives a surface the
+ * irradiance of a disk of the piece's area. Pieces stay in place while an image changes. If there
+ * would be more than MostPieces, pieces that are near each other and face alike are joined.
  */
 void AddAreaLights(
   List& emitters, const std::vector<vtkSmartPointer<vtkAreaLight>>& lights, bool inHaste);

@@ -74,6 +74,17 @@ inline std::uint32_t ReverseBits(std::uint32_t x)
   return ((x & 0xaaaaaaaau) >> 1u) | ((x & 0x55555555u) << 1u);
 }
 
+/** Returns the digits of point i of Sobol's sequence, first two coordinates (Sobol 1967). */
+inline glm::uvec2 SobolDigits(std::uint32_t i)
+{
+  std::uint32_t second = 0;
+  for (std::uint32_t bits = i, column = 0x80000000u; bits; bits >>= 1u, column ^= column >> 1u)
+  {
+    second ^= bits & 1u ? column : 0u;
+  }
+  return { ReverseBits(i), second };
+}
+
 inline std::uint32_t Hash(std::uint32_t x)
 {
   x ^= x >> 16u;
@@ -96,14 +107,9 @@ inline std::uint32_t ScrambleDigits(std::uint32_t x, std::uint32_t seed)
 
 inline glm::dvec2 ScrambledPoint(std::uint32_t i, std::uint32_t seed)
 {
-  const std::uint32_t at = ScrambleDigits(i, Hash(seed));
-  std::uint32_t second = 0;
-  for (std::uint32_t bits = at, column = 0x80000000u; bits; bits >>= 1u, column ^= column >> 1u)
-  {
-    second ^= bits & 1u ? column : 0u;
-  }
-  const std::uint32_t x = ScrambleDigits(ReverseBits(at), Hash(seed + 0x9e3779b9u));
-  const std::uint32_t y = ScrambleDigits(second, Hash(seed + 0x3c6ef372u));
+  const glm::uvec2 digits = SobolDigits(ScrambleDigits(i, Hash(seed)));
+  const std::uint32_t x = ScrambleDigits(digits.x, Hash(seed + 0x9e3779b9u));
+  const std::uint32_t y = ScrambleDigits(digits.y, Hash(seed + 0x3c6ef372u));
   return glm::dvec2(x, y) * (1.0 / 4294967296.0);
 }
 ///@}

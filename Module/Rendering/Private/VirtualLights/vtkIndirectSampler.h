@@ -20,9 +20,9 @@ class vtkIndirectSurfaces;
 class vtkOpenGLRenderWindow;
 class vtkIndirectLightMaps;
 class vtkVirtualLightSampler;
-struct vtkIndirectEmitter;
 struct vtkIndirectFrame;
 struct vtkIndirectFurtherSenders;
+struct vtkIndirectLight;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
 
@@ -60,7 +60,7 @@ public:
     int NumberOfBounces = 1;  // wanted number, for samplers that find several bounces
     bool Interactive = false; // the window's rate is a frame a second or more
     /** The sky and area lights, which light surfaces besides the frame's lights. */
-    const std::vector<vtkIndirectEmitter>* Emitters = nullptr;
+    const std::vector<vtkIndirectLight>* Emitters = nullptr;
     /** These are the scene's surfaces, up to date for samplers that walk. */
     const vtkIndirectSurfaces* Surfaces = nullptr;
     /**

@@ -349,6 +349,25 @@ void vtkIndirectSenderClusters::DivideAll(
 }
 
 //------------------------------------------------------------------------------
+std::vector<std::vector<size_t>> vtkIndirectSenderClusters::FindGroups(int count)
+{
+  this->DivideAll({ 1.0 }, count, false);
+  std::vector<std::vector<size_t>> groups;
+  for (const Cluster& cluster : this->Clusters)
+  {
+    std::vector<size_t>& group = groups.emplace_back(1, cluster.Middle);
+    for (size_t i = cluster.Begin; i < cluster.End; ++i)
+    {
+      if (this->Entries[i].Sender != cluster.Middle)
+      {
+        group.push_back(this->Entries[i].Sender);
+      }
+    }
+  }
+  return groups;
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const
 {

@@ -79,6 +79,12 @@ public:
   };
 
   /**
+   * Returns the senders in at most `count` groups of those that are near each other and face alike;
+   * the first of each group is in its middle.
+   */
+  std::vector<std::vector<size_t>> FindGroups(int count);
+
+  /**
    * Makes at most `count` lights of the senders, under lights of these strengths, one for each map.
    * If `error` is not 0, there may be as few as `least` lights, or half of them, once their light
    * lies within `nearness` of the senders, root mean square. Without senders there are no lights;

@@ -18,12 +18,6 @@ constexpr int TexelsOfMaps = 64;
 // Maps of directions without light are dropped if there are more maps than this.
 constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
 
-vtkIndirectEmitters::List::iterator Find(vtkIndirectEmitters::List& emitters, int number)
-{
-  return std::find_if(emitters.begin(), emitters.end(),
-    [=](const vtkIndirectEmitter& emitter) { return emitter.Number == number; });
-}
-
 // Tells whether two lights have the same maps.
 bool HaveSameMaps(const vtkIndirectLight& a, const vtkIndirectLight& b)
 {
@@ -31,14 +25,9 @@ bool HaveSameMaps(const vtkIndirectLight& a, const vtkIndirectLight& b)
     a.DirectionWC == b.DirectionWC && a.Attenuation == b.Attenuation;
 }
 
-bool HaveSameNumber(const vtkIndirectEmitter& a, const vtkIndirectEmitter& b)
+bool HaveSameNumber(const vtkIndirectLight& a, const vtkIndirectLight& b)
 {
-  return a.Number == b.Number;
-}
-
-bool IsLit(const vtkIndirectEmitter& emitter)
-{
-  return emitter.Strength != glm::dvec3(0.0);
+  return a.Index == b.Index;
 }
 }
 
@@ -84,16 +73,16 @@ void vtkIndirectSenderSampler::SetEmitters(
   this->IsFresh = true;
   ++this->SourceTime;
   vtkIndirectEmitters::List lit = emitters;
-  for (vtkIndirectEmitter& emitter : this->Emitters)
+  for (vtkIndirectLight& emitter : this->Emitters)
   {
-    const auto found = Find(lit, emitter.Number);
-    emitter.Strength = found != lit.end() ? found->Strength : glm::dvec3(0.0);
-    emitter.Pieces = found != lit.end() ? found->Pieces : 0;
+    const auto found = std::find_if(lit.begin(), lit.end(),
+      [&](const vtkIndirectLight& other) { return HaveSameNumber(emitter, other); });
+    emitter.Color = glm::dvec3(0.0);
+    emitter.Pieces = 0;
     if (found != lit.end())
     {
-      this->EmittersHaveMoved =
-        this->EmittersHaveMoved || !HaveSameMaps(emitter.Light, found->Light);
-      emitter.Light = found->Light;
+      this->EmittersHaveMoved = this->EmittersHaveMoved || !HaveSameMaps(emitter, *found);
+      emitter = *found;
       lit.erase(found);
     }
   }
@@ -119,7 +108,7 @@ bool vtkIndirectSenderSampler::DrawMaps(
   if (this->SceneIsNew || this->Emitters.size() > MostMaps)
   {
     const auto dark = std::remove_if(this->Emitters.begin(), this->Emitters.end(),
-      [](const vtkIndirectEmitter& emitter) { return !IsLit(emitter); });
+      [](const vtkIndirectLight& emitter) { return !emitter.IsReflected(); });
     this->EmittersHaveMoved = this->EmittersHaveMoved || dark != this->Emitters.end();
     this->Emitters.erase(dark, this->Emitters.end());
   }
@@ -128,14 +117,15 @@ bool vtkIndirectSenderSampler::DrawMaps(
     return true;
   }
   this->EmittersHaveMoved = false;
-  // The maps are drawn of the same scene under the emitters' lights.
+  // The maps are drawn of the same scene under the emitters, of colour one: maps do not depend on
+  // how much light there is.
   vtkIndirectFrame scene = frame;
   vtkIndirectPlan maps;
   maps.Caching = plan.Caching;
   scene.Lights.clear();
-  for (const vtkIndirectEmitter& emitter : this->Emitters)
+  for (vtkIndirectLight light : this->Emitters)
   {
-    vtkIndirectLight light = emitter.Light;
+    light.Color = glm::dvec3(1.0);
     light.Index = static_cast<int>(scene.Lights.size());
     maps.MapLights.push_back(light.Index);
     scene.Lights.push_back(light);
@@ -183,9 +173,9 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
   }
   this->MadeTime = 0;
   std::vector<glm::dvec3> strengths;
-  for (const vtkIndirectEmitter& emitter : this->Emitters)
+  for (const vtkIndirectLight& emitter : this->Emitters)
   {
-    strengths.push_back(emitter.Strength);
+    strengths.push_back(emitter.Color);
   }
   const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
   const vtkIndirectSenderClusters::LightTree lights =
@@ -204,11 +194,10 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
 void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 {
   report.MainMemoryBytes += this->Clusters.GetBytes();
-  const auto isOfSky = [](const vtkIndirectEmitter& emitter) { return !emitter.Light.Positional; };
   size_t pieces = 0;
-  for (const vtkIndirectEmitter& emitter : this->Emitters)
+  for (const vtkIndirectLight& emitter : this->Emitters)
   {
-    pieces += emitter.Light.Positional ? emitter.Pieces : 0;
+    pieces += emitter.Positional ? emitter.Pieces : 0;
   }
   if (pieces > vtkIndirectEmitters::MostPieces)
   {
@@ -220,7 +209,8 @@ void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
   for (const bool sky : { true, false })
   {
     const auto lit = std::count_if(this->Emitters.begin(), this->Emitters.end(),
-      [&](const vtkIndirectEmitter& emitter) { return IsLit(emitter) && isOfSky(emitter) == sky; });
+      [&](const vtkIndirectLight& emitter)
+      { return emitter.IsReflected() && emitter.Positional != sky; });
     if (lit > 0)
     {
       report.Modelled.emplace_back(

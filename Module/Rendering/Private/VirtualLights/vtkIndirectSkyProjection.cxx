@@ -17,17 +17,12 @@ constexpr double NarrowShare = 0.5;
 // itself: eight grey levels of 256 if it is hidden from a surface that faces it. At most 32
 // directions have so much light.
 constexpr double StrongShare = 1.0 / 32.0;
-
-double SumOfColors(const glm::dvec3& light)
-{
-  return light.x + light.y + light.z;
-}
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSkyProjection::Result::IsStrong(size_t direction) const
 {
-  return SumOfColors(this->Light[direction]) > StrongShare * this->Total;
+  return SumColors(this->Light[direction]) > StrongShare * SumColors(this->Total);
 }
 
 //------------------------------------------------------------------------------
@@ -45,6 +40,9 @@ bool vtkIndirectSkyProjection::Result::HasStrong() const
 const vtkIndirectSkyProjection::Result& vtkIndirectSkyProjection::Find(
   vtkEnvironmentLight* environment, int count)
 {
+  // Reading the cells reads the texture, which may change the environment's time.
+  const std::vector<vtkIndirectEmitterAccess::Cell>& cells =
+    vtkIndirectEmitterAccess::GetCells(environment);
   if (this->Environment.Take({ "environment", environment }))
   {
     for (auto& known : this->Results)
@@ -62,28 +60,24 @@ const vtkIndirectSkyProjection::Result& vtkIndirectSkyProjection::Find(
   {
     result.Directions = vtkIndirectDirections::MakeNestedLattice(count);
   }
-  const std::vector<vtkIndirectEmitterAccess::Cell>& cells =
-    vtkIndirectEmitterAccess::GetCells(environment);
-  result.Nearest =
-    vtkIndirectDirections::FindNearest(cells, result.Directions, result.Directions.size());
+  result.Total = glm::dvec3(0.0);
   result.Light.assign(result.Directions.size(), glm::dvec3(0.0));
   std::vector<glm::dvec3> means(result.Directions.size(), glm::dvec3(0.0));
-  for (size_t i = 0; i < cells.size(); ++i)
+  for (const vtkIndirectEmitterAccess::Cell& cell : cells)
   {
-    const glm::dvec3 sent = glm::make_vec3(cells[i].Light);
-    result.Light[result.Nearest[i]] += sent;
-    means[result.Nearest[i]] += SumOfColors(sent) * glm::make_vec3(cells[i].Direction);
-  }
-  result.Total = 0.0;
-  for (const glm::dvec3& light : result.Light)
-  {
-    result.Total += SumOfColors(light);
+    const glm::dvec3 sent = glm::make_vec3(cell.Light);
+    const glm::dvec3 direction = glm::make_vec3(cell.Direction);
+    const size_t nearest = vtkIndirectDirections::FindNearest(direction, result.Directions);
+    result.Nearest.push_back(nearest);
+    result.Light[nearest] += sent;
+    result.Total += sent;
+    means[nearest] += SumColors(sent) * direction;
   }
   result.Middles = result.Directions;
   for (size_t i = 0; i < means.size(); ++i)
   {
     const double length = glm::length(means[i]);
-    if (length > (1.0 - NarrowShare / count) * SumOfColors(result.Light[i]))
+    if (length > (1.0 - NarrowShare / count) * SumColors(result.Light[i]))
     {
       result.Middles[i] = means[i] / length;
     }

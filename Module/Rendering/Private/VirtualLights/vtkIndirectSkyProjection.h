@@ -26,7 +26,7 @@ public:
      * alone.
      */
     std::vector<glm::dvec3> Middles;
-    double Total = 0.0; // light of all directions, summed over the colours
+    glm::dvec3 Total{ 0.0 }; // light of all directions
 
     /** Returns true if a direction has more than a 32nd of all light. */
     bool IsStrong(size_t direction) const;
@@ -43,7 +43,9 @@ public:
    * Returns the environment's light by this many directions; it is kept while the environment is
    * the same.
    */
-  const Result& Find(vtkEnvironmentLight* environment, int count);
+  const Result& Find(vtkEnvironmentLight* environment, int count = FineDirections);
+  /** Returns light summed over the colours, by which directions are compared. */
+  static double SumColors(const glm::dvec3& light) { return light.x + light.y + light.z; }
 
 private:
   std::map<int, Result> Results; // by the number of directions

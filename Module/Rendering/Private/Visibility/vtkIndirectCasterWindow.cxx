@@ -165,7 +165,7 @@ bool vtkIndirectCasterWindow::Update(
     cornerBegin[face] = std::numeric_limits<double>::infinity();
     for (const glm::dvec3& corner : corners)
     {
-      const double place = corner[face / 2] / frame.SceneScale + frame.SceneCenter[face / 2];
+      const double place = frame.ToWorld(corner)[face / 2];
       cornerBegin[face] = std::min(cornerBegin[face], face % 2 == 0 ? place : -place);
     }
   }
@@ -204,13 +204,9 @@ vtkIndirectCasterWindow::Part vtkIndirectCasterWindow::FindPart(
   for (const Box& box : this->Boxes)
   {
     Part part;
-    std::array<glm::dvec3, 8> seen;
-    for (size_t i = 0; i < 8; ++i)
-    {
-      const glm::dvec3 d = box[i] - view.Place;
-      seen[i] =
-        glm::dvec3(glm::dot(d, view.Right), glm::dot(d, view.Up), glm::dot(d, view.Forward));
-    }
+    Box seen;
+    std::transform(box.begin(), box.end(), seen.begin(),
+      [&view](const glm::dvec3& corner) { return view.ToView(corner); });
     auto add = [&](const glm::dvec3& p)
     {
       const glm::dvec2 tangents = glm::dvec2(p) / p.z;
@@ -288,7 +284,7 @@ void vtkIndirectCasterWindow::Fit(const std::vector<vtkIndirectDepthTile*>& tile
     tile->Middle = window.Middle;
     for (const glm::dvec3& corner : this->All)
     {
-      farthest = std::max(farthest, glm::dot(corner - tile->Place, tile->Forward));
+      farthest = std::max(farthest, tile->ToView(corner).z);
       farthestOfStrips = std::max(farthestOfStrips, glm::length(corner - tile->Place));
     }
     for (size_t k = 0; k < parts.size(); ++k)

@@ -4,7 +4,7 @@
 // map of all that the lamp shines at.
 #pragma once
 
-#include "Visibility/vtkIndirectDepthTile.h" // for views
+#include "Capture/vtkIndirectDepthTile.h" // for views
 
 #include <glm/glm.hpp> // for corners
 

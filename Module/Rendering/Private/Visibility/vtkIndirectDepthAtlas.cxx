@@ -8,16 +8,15 @@
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectRendererAccess.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Visibility/vtkIndirectPartViews.h"
-#include "vtkOpenGLCamera.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
+#include <iterator>
 
 namespace
 {
@@ -42,7 +41,6 @@ constexpr size_t TrianglesOfFlush = 1 << 17;
 vtkIndirectDepthAtlas::vtkIndirectDepthAtlas(bool strips)
   : Strips(strips)
   , Depths(this, NoChannels, true)
-  , Camera(vtkSmartPointer<vtkOpenGLCamera>::New())
 {
 }
 
@@ -357,9 +355,8 @@ void vtkIndirectDepthAtlas::DrawLevels(const vtkIndirectFrame& frame, const View
 {
   this->Use(frame, view.Tile, view.Number);
   const vtkIndirectDepthTile& tile = view.Camera;
-  const glm::dvec4 emitter = tile.Parallel
-    ? glm::dvec4(-tile.Forward, 0.0)
-    : glm::dvec4(frame.SceneCenter + tile.Place / frame.SceneScale, 1.0);
+  const glm::dvec4 emitter =
+    tile.Parallel ? glm::dvec4(-tile.Forward, 0.0) : glm::dvec4(frame.ToWorld(tile.Place), 1.0);
   size_t drawn = 0;
   for (size_t level = 0; level < parts.NumberOfLevels; ++level)
   {
@@ -396,32 +393,18 @@ void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
   vtkSurfaceCapturePass* capture, const std::vector<View>& views,
   const std::vector<const vtkIndirectCaster*>& casters)
 {
-  vtkCamera*& active = vtkIndirectRendererAccess::Camera(frame.Renderer);
-  vtkCamera* const eye = active;
-  active = this->Camera;
   const vtkIndirectDarkLight dark(frame);
   capture->Attach(frame);
   for (const View& view : views)
   {
-    const vtkIndirectDepthTile& tile = view.Camera;
+    std::vector<const vtkIndirectCaster*> seen;
+    std::copy_if(casters.begin(), casters.end(), std::back_inserter(seen),
+      [&](const vtkIndirectCaster* caster)
+      { return (view.Whole->FindViews(frame, caster->Bounds, this->Texels) >> view.Number) & 1u; });
     this->Use(frame, view.Tile, view.Number);
-    tile.SetUp(this->Camera, frame);
-    const glm::dvec2 widths = 2.0 * tile.HalfWidth /
-      glm::dvec2(vtkIndirectDepthTile::GetSizeOfView(view.Number, this->Texels));
-    capture->BeginMap(
-      frame, { !tile.Parallel, tile.Parallel, tile.Near, tile.Far, std::max(widths.x, widths.y) });
-    for (const vtkIndirectCaster* caster : casters)
-    {
-      if ((view.Whole->FindViews(frame, caster->Bounds, this->Texels) >> view.Number) & 1u)
-      {
-        capture->BeginCaster(false);
-        caster->Prop->RenderOpaqueGeometry(frame.Renderer);
-      }
-    }
-    capture->EndStage();
+    capture->DrawMap(frame, view.Camera, this->Texels, seen);
   }
   capture->Detach();
-  active = eye;
 }
 
 //------------------------------------------------------------------------------

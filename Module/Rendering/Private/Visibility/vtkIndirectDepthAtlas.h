@@ -5,11 +5,10 @@
 // caster that the tile can see, has changed.
 #pragma once
 
-#include "Capture/vtkIndirectDepthDrawer.h"  // for a member
-#include "OpenGL/vtkIndirectResource.h"      // for the base class
-#include "OpenGL/vtkIndirectTarget.h"        // for a member
-#include "Visibility/vtkIndirectDepthTile.h" // for tiles
-#include "vtkSmartPointer.h"                 // for a member
+#include "Capture/vtkIndirectDepthDrawer.h" // for a member
+#include "Capture/vtkIndirectDepthTile.h"   // for tiles
+#include "OpenGL/vtkIndirectResource.h"     // for the base class
+#include "OpenGL/vtkIndirectTarget.h"       // for a member
 
 #include <array>   // for bounds
 #include <cstddef> // for size_t
@@ -17,7 +16,6 @@
 #include <vector>  // for tiles
 
 class vtkIndirectPartViews;
-class vtkOpenGLCamera;
 class vtkSurfaceCapturePass;
 struct vtkIndirectCaster;
 
@@ -133,7 +131,6 @@ private:
   vtkIndirectTarget Depths;
   vtkIndirectDepthDrawer Drawer{ this };
   size_t TrianglesOfBatch = 0; // drawn since the last flush
-  vtkSmartPointer<vtkOpenGLCamera> Camera;
   std::vector<Drawing> Drawn;
   std::vector<std::pair<int, vtkIndirectDepthTile>> Left; // tiles to draw, first the missing ones
   int Texels = 0;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
 #include "Visibility/vtkIndirectDistanceField.h"
 
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 #include "vtkSMPTools.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -123,9 +125,7 @@ void vtkIndirectDistanceField::Activate(
       window, vtkIndirectDataTexture::INTEGER_BYTES, 1, this->Size, this->Voxels.data());
   }
   this->Texture.Activate(program, "vtkiDistanceField");
-  const float origin[4] = { this->Origin.x, this->Origin.y, this->Origin.z, this->VoxelsPerUnit };
-  program->SetUniform4f("vtkiDistanceFieldOrigin", origin);
-  const float size[3] = { static_cast<float>(this->Size.x), static_cast<float>(this->Size.y),
-    static_cast<float>(this->Size.z) };
-  program->SetUniform3f("vtkiDistanceFieldSize", size);
+  vtkIndirectSetUniform(
+    program, "vtkiDistanceFieldOrigin", glm::vec4(this->Origin, this->VoxelsPerUnit));
+  vtkIndirectSetUniform(program, "vtkiDistanceFieldSize", glm::vec3(this->Size));
 }

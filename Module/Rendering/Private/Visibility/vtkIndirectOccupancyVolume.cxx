@@ -5,13 +5,12 @@
 
 #include "Frame/vtkIndirectPropKind.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectPolygons.h"
 #include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkMath.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkProp.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -319,12 +318,9 @@ void vtkIndirectOccupancyVolume::Activate(
       { this->Size.x, this->Size.y, 0 }, this->Columns.data());
   }
   this->Texture.Activate(program, "vtkiOccupancy");
-  const float origin[4] = { static_cast<float>(this->Origin.x), static_cast<float>(this->Origin.y),
-    static_cast<float>(this->Origin.z), static_cast<float>(1.0 / this->VoxelSize) };
-  program->SetUniform4f("vtkiOccupancyOrigin", origin);
-  const float size[3] = { static_cast<float>(this->Size.x), static_cast<float>(this->Size.y),
-    static_cast<float>(this->Size.z) };
-  program->SetUniform3f("vtkiOccupancySize", size);
+  vtkIndirectSetUniform(
+    program, "vtkiOccupancyOrigin", glm::vec4(glm::dvec4(this->Origin, 1.0 / this->VoxelSize)));
+  vtkIndirectSetUniform(program, "vtkiOccupancySize", glm::vec3(this->Size));
 }
 
 //------------------------------------------------------------------------------

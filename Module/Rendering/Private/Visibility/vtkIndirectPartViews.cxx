@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Visibility/vtkIndirectPartViews.h"
 
+#include "Capture/vtkIndirectDepthTile.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "Visibility/vtkIndirectDepthTile.h"
 #include "vtkProp.h"
 
 #include <algorithm>

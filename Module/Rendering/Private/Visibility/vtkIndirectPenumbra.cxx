@@ -34,21 +34,6 @@ constexpr int MaximumAtlas = 2048;
 // its points see a receiver beside their map and do not count.
 constexpr double NearestRadii = 4.0;
 
-// Returns the corners of all casters' bounds, in scene units.
-std::vector<glm::dvec3> FindCorners(const vtkIndirectFrame& frame)
-{
-  std::vector<glm::dvec3> corners;
-  corners.reserve(8 * frame.Casters.size());
-  for (const vtkIndirectCaster& caster : frame.Casters)
-  {
-    for (int i = 0; i < 8; ++i)
-    {
-      corners.push_back(frame.ToScene(vtkIndirectFrame::GetCorner(caster.GetFit(), i)));
-    }
-  }
-  return corners;
-}
-
 std::vector<glm::dvec3> FindPoints()
 {
   std::vector<glm::dvec3> points;
@@ -62,68 +47,43 @@ std::vector<glm::dvec3> FindPoints()
   return points;
 }
 
-// Returns the rotation from a map's face to the light's frame.
-glm::dmat3 FaceToLight(int face)
+// Returns the axes of the map from a point of the light, at this place of the disk across its axis.
+glm::dmat3 FindAxesOfPoint(const glm::dmat3& rotation, const glm::vec2& place)
 {
-  glm::dmat3 toFace;
-  for (int i = 0; i < 3; ++i)
-  {
-    glm::vec3 axis(0.0f);
-    axis[i] = 1.0f;
-    toFace[i] = glm::dvec3(vtkIndirectKernels::vtkiToFace(axis, face));
-  }
-  return glm::transpose(toFace);
-}
-
-vtkIndirectDepthTile MakeTile(
-  const glm::dmat3& axes, const glm::dvec3& place, const vtkIndirectShadowMap& map)
-{
-  vtkIndirectDepthTile tile;
-  tile.Parallel = map.Projection == vtkIndirectKernels::VTKI_MAP_PARALLEL;
-  tile.Place = place;
-  tile.Right = axes[0];
-  tile.Up = axes[1];
-  tile.Forward = -axes[2];
-  tile.HalfWidth = glm::dvec2(map.HalfWidth);
-  tile.Near = map.Near;
-  tile.Far = map.Far;
-  return tile;
+  glm::vec3 x;
+  glm::vec3 y;
+  glm::vec3 z;
+  vtkIndirectKernels::vtkiLightPointAxes(place, x, y, z);
+  return rotation * glm::dmat3(x, y, z);
 }
 
 void FitPositional(
   const vtkIndirectFrame& frame, const vtkIndirectLightMap& centre, vtkIndirectPenumbra::Light& fit)
 {
   using namespace vtkIndirectKernels;
-  const glm::dmat3 rotation(centre.LightToWorld);
-  const glm::dvec3 place = frame.ToScene(glm::dvec3(centre.LightToWorld[3]));
+  const glm::dmat3 rotation(centre.Faces[0].GetToScene());
+  const glm::dvec3 place = centre.Faces[0].Place;
   const double distance = glm::length(place);
   // Larger lights are reduced to this size: they have the scene within them, and hardly any
   // shadows.
   const double radius = std::min(centre.Light.Size * frame.SceneScale, std::max(1.0, distance));
 
-  double low = std::numeric_limits<double>::infinity(); // depths along the axis
-  double high = -low;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
   double tangent = 0.0; // of a view that holds all corners from any point of the light
-  double most = 0.0;    // greatest depth along any axis
-  glm::dvec3 lower(low);
-  glm::dvec3 upper(-low);
-  for (const glm::dvec3& corner : FindCorners(frame))
+  glm::dvec3 lower(infinity);
+  glm::dvec3 upper(-infinity);
+  for (const glm::dvec3& p : frame.FindCorners(rotation, place))
   {
-    const glm::dvec3 p = glm::transpose(rotation) * (corner - place);
-    const glm::dvec3 a = glm::abs(p);
-    low = std::min(low, -p.z);
-    high = std::max(high, -p.z);
     const double depth = -p.z - radius;
-    tangent = depth > 0.0 ? std::max(tangent, (std::max(a.x, a.y) + radius) / depth)
-                          : std::numeric_limits<double>::infinity();
-    most = std::max({ most, a.x, a.y, a.z });
+    const double aside = std::max(std::abs(p.x), std::abs(p.y));
+    tangent = depth > 0.0 ? std::max(tangent, (aside + radius) / depth) : infinity;
     lower = glm::min(lower, p);
     upper = glm::max(upper, p);
   }
   vtkIndirectShadowMap& map = fit.Map.Map;
   fit.Map.Size = radius;
   const bool narrow = centre.Light.FindMapProjection() == VTKI_MAP_SINGLE;
-  const double nearest = std::max(low, NearestRadii * radius);
+  const double nearest = std::max(-upper.z, NearestRadii * radius);
   const double cone =
     (std::tan(vtkMath::RadiansFromDegrees(centre.Light.ConeAngle)) * nearest + radius) /
     (nearest - radius);
@@ -140,38 +100,22 @@ void FitPositional(
     // This is the tangent of the sum of both angles.
     map.HalfWidth = (map.HalfWidth + VTKI_LIGHT_SHIFT) / (1.0 - map.HalfWidth * VTKI_LIGHT_SHIFT);
   }
-  if (single)
-  {
-    map.Far = high + radius;
-    map.Near = low - radius;
-  }
-  else
-  {
-    const glm::dvec3 outside = glm::max(glm::max(lower, -upper), glm::dvec3(0.0));
-    map.Far = most + radius;
-    map.Near = std::max({ outside.x, outside.y, outside.z }) - radius;
-  }
-  // The depth range is found as for the map from the centre.
-  map.Far = map.Far > 0.0 ? 1.001 * map.Far : 1.0;
-  map.Near = std::min(
-    std::max(0.999 * map.Near, vtkIndirectLightMap::NearestFraction * map.Far), 0.5 * map.Far);
+  vtkIndirectLightMap::FitDepths(map, lower, upper, radius);
 
   // The blocker lies half-way to the light, or a quarter of the scene's depth above the receiver.
   const double middle = std::max(distance, 0.5 * map.Far);
-  const double above = std::min(0.5 * middle, 0.25 * (single ? high - low : most));
+  const glm::dvec3 most = glm::max(-lower, upper);
+  const double extent = single ? upper.z - lower.z : std::max({ most.x, most.y, most.z });
+  const double above = std::min(0.5 * middle, 0.25 * extent);
   const double width = 2.0 * radius * above / (middle - above);
   fit.Texels = TexelsAcrossPenumbra * 2.0 * map.HalfWidth * middle / width;
   for (const glm::dvec3& point : FindPoints())
   {
-    glm::vec3 x;
-    glm::vec3 y;
-    glm::vec3 z;
-    vtkiLightPointAxes(VTKI_LIGHT_SHIFT * glm::vec2(point), x, y, z);
-    const glm::dmat3 turned = rotation * glm::dmat3(x, y, z);
+    const glm::dmat3 turned = FindAxesOfPoint(rotation, VTKI_LIGHT_SHIFT * glm::vec2(point));
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
       fit.Tiles.push_back(
-        MakeTile(turned * FaceToLight(face), place + rotation * (radius * point), map));
+        vtkIndirectLightMap::MakeFace(map, turned, place + rotation * (radius * point), face));
     }
   }
 }
@@ -180,46 +124,29 @@ void FitDirectional(
   const vtkIndirectFrame& frame, const vtkIndirectLightMap& centre, vtkIndirectPenumbra::Light& fit)
 {
   using namespace vtkIndirectKernels;
-  const glm::dmat3 rotation(centre.LightToWorld);
-  const std::vector<glm::dvec3> corners = FindCorners(frame);
-  glm::dvec3 lower(std::numeric_limits<double>::infinity());
-  glm::dvec3 upper = -lower;
-  for (const glm::dvec3& corner : corners)
-  {
-    lower = glm::min(lower, corner);
-    upper = glm::max(upper, corner);
-  }
-  const glm::dvec3 middle = 0.5 * (lower + upper);
+  const glm::dmat3 rotation(centre.Faces[0].GetToScene());
   const double sine = std::sin(std::min(centre.Light.Size, 0.5 * vtkMath::Pi()));
   std::vector<glm::dmat3> axes;
   const std::vector<glm::dvec3> points = FindPoints();
   for (const glm::dvec3& point : points)
   {
-    glm::vec3 x;
-    glm::vec3 y;
-    glm::vec3 z;
-    vtkiLightPointAxes(glm::vec2(sine * glm::dvec2(point)), x, y, z);
-    axes.push_back(rotation * glm::dmat3(x, y, z));
+    axes.push_back(FindAxesOfPoint(rotation, glm::vec2(sine * glm::dvec2(point))));
   }
   glm::dvec3 half(0.0);
   for (const glm::dmat3& to : axes)
   {
-    for (const glm::dvec3& corner : corners)
+    for (const glm::dvec3& p : frame.FindCorners(to, glm::dvec3(0.0)))
     {
-      half = glm::max(half, glm::abs(glm::transpose(to) * (corner - middle)));
+      half = glm::max(half, glm::abs(p));
     }
   }
   // A margin keeps the outermost points off the edge, and a flat scene gets an extent, too.
   constexpr double margin = 1.01;
   vtkIndirectShadowMap& map = fit.Map.Map;
-  map.Projection = VTKI_MAP_PARALLEL;
-  map.NumberOfFaces = 1;
   map.HalfWidth = (margin + VTKI_LIGHT_SHIFT) * std::max({ half.x, half.y, 1e-3 * half.z });
   const double depth = std::max(margin * half.z, 1e-3 * map.HalfWidth);
-  map.Near = 0.0;
   map.Far = 2.0 * depth;
-  map.WorldToLight[3] =
-    glm::dvec4(-(glm::transpose(rotation) * (frame.SceneCenter + middle / frame.SceneScale)), 1.0);
+  map.WorldToLight[3] = glm::dvec4(-(glm::transpose(rotation) * frame.SceneCenter), 1.0);
   fit.Map.Size = sine;
   // The blocker lies a quarter of the scene's depth above the receiver; `depth` is half of the
   // scene's depth.
@@ -227,10 +154,8 @@ void FitDirectional(
   const double shift = VTKI_LIGHT_SHIFT * map.HalfWidth;
   for (size_t i = 0; i < points.size(); ++i)
   {
-    const glm::dmat3& to = axes[i];
-    const glm::dvec3 place =
-      middle + depth * to[2] + shift * (points[i].x * to[0] + points[i].y * to[1]);
-    fit.Tiles.push_back(MakeTile(to, place, map));
+    const glm::dvec3 place = axes[i] * glm::dvec3(shift * glm::dvec2(points[i]), depth);
+    fit.Tiles.push_back(vtkIndirectLightMap::MakeFace(map, axes[i], place, 0));
   }
 }
 }
@@ -251,7 +176,7 @@ vtkIndirectPenumbra::Light vtkIndirectPenumbra::Fit(
   const vtkIndirectFrame& frame, const vtkIndirectLightMap& centre)
 {
   Light fit;
-  fit.Map.Map = centre.GetShadowMap();
+  fit.Map.Map = centre;
   (centre.Light.Positional ? FitPositional : FitDirectional)(frame, centre, fit);
   return fit;
 }
@@ -357,7 +282,7 @@ void vtkIndirectPenumbra::AddToReport(vtkIndirectReport& report) const
   {
     const vtkIndirectShadowMap& map = light.Map.Map;
     const int maps = vtkIndirectKernels::VTKI_LIGHT_POINTS * map.NumberOfFaces;
-    report.Modelled.emplace_back("penumbra of light " + std::to_string(map.Light),
+    report.Modelled.emplace_back("penumbra of light " + std::to_string(map.Light.Index),
       std::to_string(vtkIndirectKernels::VTKI_LIGHT_POINTS) + " points of it, " +
         std::to_string(maps) + " depth maps of " + std::to_string(this->Texels) +
         " texels squared");

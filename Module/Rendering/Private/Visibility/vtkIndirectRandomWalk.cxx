@@ -186,7 +186,7 @@ private:
 class vtkIndirectRandomWalk::Emission
 {
 public:
-  Emission(const vtkIndirectFrame& frame, const vtkIndirectEmitter& emitter);
+  Emission(const vtkIndirectFrame& frame, const vtkIndirectLight& light);
 
   bool IsDark() const { return this->Dark; }
   // Makes the ray for a place of the unit square. footprint: the ray's share of all rays times
@@ -203,7 +203,6 @@ public:
 
 private:
   const vtkIndirectLight& Light;
-  glm::dvec3 Strength;
   double SceneScale;
   bool Dark = false;
   glm::dvec3 Origin{ 0.0 }; // scene units; for a directional light the middle of the rays' starts
@@ -217,12 +216,11 @@ private:
 
 //------------------------------------------------------------------------------
 vtkIndirectRandomWalk::Emission::Emission(
-  const vtkIndirectFrame& frame, const vtkIndirectEmitter& emitter)
-  : Light(emitter.Light)
-  , Strength(emitter.Strength)
+  const vtkIndirectFrame& frame, const vtkIndirectLight& light)
+  : Light(light)
   , SceneScale(frame.SceneScale)
 {
-  this->Dark = !(Largest(emitter.Strength) > 0.0) || frame.Casters.empty();
+  this->Dark = !(Largest(light.Color) > 0.0) || frame.Casters.empty();
   glm::dvec3 lower(VTK_DOUBLE_MAX);
   glm::dvec3 upper(-VTK_DOUBLE_MAX);
   for (const vtkIndirectCaster& caster : frame.Casters)
@@ -302,23 +300,9 @@ glm::dvec3 vtkIndirectRandomWalk::Emission::FindStrength(
   const glm::dvec3& direction, double distance) const
 {
   const vtkIndirectLight& light = this->Light;
-  if (!light.Positional)
-  {
-    return this->Strength;
-  }
-  const double d = distance / this->SceneScale;
-  const glm::dvec3& a = light.Attenuation;
-  const double denominator = a.x + d * (a.y + d * a.z);
-  double factor = denominator > 0.0 ? distance * distance / denominator : 0.0;
-  if (light.ConeAngle < 90.0)
-  {
-    const double cosine = glm::dot(direction, light.DirectionWC);
-    // VTK's shader gives a spot a hard rim, and powers of the cosine within.
-    factor *= cosine < std::cos(vtkMath::RadiansFromDegrees(light.ConeAngle))
-      ? 0.0
-      : std::pow(std::max(cosine, 0.0), light.Exponent);
-  }
-  return factor * this->Strength;
+  return light.Positional
+    ? distance * distance * light.FindFalloff(direction, distance / this->SceneScale) * light.Color
+    : light.Color;
 }
 
 //------------------------------------------------------------------------------

@@ -11,25 +11,6 @@
 #include <algorithm>
 #include <cmath>
 
-namespace
-{
-// Returns att(d) d^2 cone, towards a place.
-double FindFalloff(const vtkIndirectLight& light, const glm::dvec3& way, double distance)
-{
-  const double cosine = glm::dot(way, light.DirectionWC);
-  double cone = 1.0;
-  if (light.ConeAngle < 90.0)
-  {
-    cone = cosine >= std::cos(glm::radians(light.ConeAngle))
-      ? std::pow(std::max(cosine, 0.0), light.Exponent)
-      : 0.0;
-  }
-  const double denominator =
-    light.Attenuation.x + distance * (light.Attenuation.y + distance * light.Attenuation.z);
-  return denominator > 0.0 ? cone * distance * distance / denominator : 0.0;
-}
-}
-
 //------------------------------------------------------------------------------
 void vtkIndirectRefractionSampler::SetNumberOfLights(int number)
 {
@@ -66,7 +47,7 @@ bool vtkIndirectRefractionSampler::Update(const Input& input)
     body.SetBody(frame, actor);
     for (const vtkIndirectLight& light : frame.Lights)
     {
-      if (!light.Fill && light.Color != glm::dvec3(0.0))
+      if (light.IsReflected())
       {
         this->Add(frame, light, actor, body, rows);
       }
@@ -126,8 +107,8 @@ void vtkIndirectRefractionSampler::Add(const vtkIndirectFrame& frame, const vtkI
       const double length = glm::length(ray);
       const double angle = step * step / (length * length * length);
       areas[at] = light.Positional ? angle * distance * distance : step * step;
-      fluxes[at] = paths[at].Share *
-        (light.Positional ? angle * FindFalloff(light, way, distance) : step * step);
+      fluxes[at] =
+        paths[at].Share * areas[at] * (light.Positional ? light.FindFalloff(way, distance) : 1.0);
     }
   }
   // A roughness that is not finite counts as zero.

@@ -4,9 +4,8 @@
 #include "Visibility/vtkIndirectSphereGrid.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectUniforms.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
-#include "vtkOpenGLRenderWindow.h"
-#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -292,9 +291,8 @@ void vtkIndirectSphereGrid::Activate(
   }
   this->CellTexture.Activate(program, "vtkiSphereCells");
   this->ListTexture.Activate(program, "vtkiSphereLists");
-  const glm::vec3 lower(this->Origin);
-  const float origin[4] = { lower.x, lower.y, lower.z, static_cast<float>(this->Scale) };
-  program->SetUniform4f("vtkiSphereOrigin", origin);
+  vtkIndirectSetUniform(
+    program, "vtkiSphereOrigin", glm::vec4(glm::dvec4(this->Origin, this->Scale)));
 }
 
 //------------------------------------------------------------------------------

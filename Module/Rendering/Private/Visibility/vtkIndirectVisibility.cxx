@@ -358,7 +358,6 @@ void vtkIndirectVisibility::Activate(vtkOpenGLRenderWindow* window,
 //------------------------------------------------------------------------------
 void vtkIndirectVisibility::AddToReport(vtkIndirectReport& report) const
 {
-  report.Bytes += this->GetBytes();
   report.MainMemoryBytes += this->GetMainMemoryBytes();
   const char* const name = "visibility between sender and receiver";
   if (this->LooksUpMaps())

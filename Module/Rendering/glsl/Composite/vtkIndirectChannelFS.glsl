@@ -1,34 +1,13 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Copies one channel of the frame as floats, in world units and world coordinates; background 0.
-#include "vtkIndirectReceiver.glsl"
+#include "vtkIndirectAddedLight.glsl"
 #include "vtkIndirectAlbedo.glsl"
-#include "vtkIndirectBounded.glsl"
 #include "vtkIndirectLibChannel.glsl"
 #include "vtkIndirectLibColor.glsl"
-#include VTKI_GATHER
 
-#if defined(VTKI_GLOSSY) || defined(VTKI_AREA_GLOSSY)
-uniform sampler2D vtkiSpecular;
-#endif
-#ifdef VTKI_AREA_GLOSSY
-uniform sampler2D vtkiAreaGlossy;
-#endif
-#ifdef VTKI_GLOSSY
-uniform sampler2D vtkiGlossy;
-#endif
-#ifdef VTKI_SKY
-uniform sampler2D vtkiSky;
-#endif
-#ifdef VTKI_SKY_BOUNCE
-uniform sampler2D vtkiSkyBounce;
-#endif
-#ifdef VTKI_AREA
-uniform sampler2D vtkiArea;
-#endif
 uniform ivec2 vtkiOrigin;
 uniform float vtkiIndirectScale;
-uniform float vtkiIrradianceUnit;
 uniform mat3 vtkiViewToWorldDirection;
 uniform float vtkiSceneScale;
 uniform int vtkiChannel; // VTKI_CHANNEL_...
@@ -41,32 +20,19 @@ void main()
   bool lit = vtkiSurfaceIsLit(surface);
   vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
   vec3 albedo = lit ? vtkiFetchAlbedo(pixel) : vec3(0.0f);
-  vec3 bounce =
-    lit ? vtkiFetchIrradiance(vec2(pixel) + 0.5f) * vtkiIrradianceUnit : vec3(0.0f);
-#ifdef VTKI_SKY_BOUNCE
-  bounce += lit ? texelFetch(vtkiSkyBounce, pixel, 0).rgb : vec3(0.0f);
-#endif
   vec3 sky = vec3(0.0f);
-#ifdef VTKI_SKY
-  sky = lit ? texelFetch(vtkiSky, pixel, 0).rgb : vec3(0.0f);
-#endif
   vec3 area = vec3(0.0f);
-#ifdef VTKI_AREA
-  area = lit ? texelFetch(vtkiArea, pixel, 0).rgb : vec3(0.0f);
-#endif
-  bounce = vtkiBoundBounce(bounce, sky + area);
+  vec3 bounce = vec3(0.0f);
+  vec3 glossy = vec3(0.0f);
+  if (lit)
+  {
+    vtkiAddIrradiance(vec2(pixel) + 0.5f, sky, area, bounce);
+    vtkiAddRadiance(vec2(pixel) + 0.5f, 1.0f, glossy);
+  }
   vec3 irradiance = bounce + sky + area;
   vec4 specular = vec4(0.0f);
-  vec3 glossy = vec3(0.0f);
-#if defined(VTKI_GLOSSY) || defined(VTKI_AREA_GLOSSY)
+#ifdef VTKI_SPECULAR
   specular = lit ? texelFetch(vtkiSpecular, pixel, 0) : vec4(0.0f);
-#endif
-#ifdef VTKI_GLOSSY
-  glossy =
-    lit ? specular.rgb * texelFetch(vtkiGlossy, pixel, 0).rgb * vtkiIrradianceUnit : vec3(0.0f);
-#endif
-#ifdef VTKI_AREA_GLOSSY
-  glossy += lit ? texelFetch(vtkiAreaGlossy, pixel, 0).rgb : vec3(0.0f);
 #endif
   vec3 indirect =
     vtkiIndirectScale > 0.0f ? (albedo * irradiance + glossy) * vtkiIndirectScale : vec3(0.0f);

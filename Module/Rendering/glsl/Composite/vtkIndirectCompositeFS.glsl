@@ -1,40 +1,19 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Adds albedo times irradiance to direct light. VTKI_SKY adds the irradiance of the environment,
-// VTKI_SKY_BOUNCE its reflection by surfaces, VTKI_AREA the irradiance of area lights,
-// VTKI_AREA_GLOSSY their specular reflection, VTKI_GLOSSY specular reflection of indirect light.
-// The background stays as it was drawn. Writes depth unless VTKI_DEPTH_COPIED says that the target
-// has it. VTKI_ALBEDO_IN_ALPHA: the lit image has the albedo in place of alpha; VTKI_ENCODED: the
-// scene has physically based materials, whose colours are encoded; VTKI_GATHER names the file that
-// fetches the irradiance.
-#include "vtkIndirectReceiver.glsl"
+// Adds albedo times irradiance, and specular reflection, to direct light
+// (vtkIndirectAddedLight.glsl). The background stays as it was drawn. Writes depth unless
+// VTKI_DEPTH_COPIED says that the target has it. VTKI_ALBEDO_IN_ALPHA: the lit image has the albedo
+// in place of alpha; VTKI_ENCODED: the scene has physically based materials, whose colours are
+// encoded.
+#include "vtkIndirectAddedLight.glsl"
 #include "vtkIndirectAlbedo.glsl"
-#include "vtkIndirectBounded.glsl"
 #include "vtkIndirectLibColor.glsl"
-#include VTKI_GATHER
 
-#ifdef VTKI_GLOSSY
-uniform sampler2D vtkiSpecular;
-uniform sampler2D vtkiGlossy;
-#endif
 #ifndef VTKI_DEPTH_COPIED
 uniform sampler2D vtkiDepth;
 #endif
 uniform ivec2 vtkiOrigin;
 uniform float vtkiIndirectScale;
-uniform float vtkiIrradianceUnit;
-#ifdef VTKI_SKY
-uniform sampler2D vtkiSky;
-#endif
-#ifdef VTKI_SKY_BOUNCE
-uniform sampler2D vtkiSkyBounce;
-#endif
-#ifdef VTKI_AREA
-uniform sampler2D vtkiArea;
-#endif
-#ifdef VTKI_AREA_GLOSSY
-uniform sampler2D vtkiAreaGlossy;
-#endif
 
 void main()
 {
@@ -61,26 +40,12 @@ void main()
   // Estimators write zero where no lit surface was drawn.
   if (vtkiIndirectScale > 0.0f)
   {
-    vec3 bounce = vtkiFetchIrradiance(position) * vtkiIrradianceUnit;
-    vec3 irradiance = vec3(0.0f);
-#ifdef VTKI_SKY
-    irradiance += textureLod(vtkiSky, pixel, 0.0f).rgb;
-#endif
-#ifdef VTKI_SKY_BOUNCE
-    bounce += textureLod(vtkiSkyBounce, pixel, 0.0f).rgb;
-#endif
-#ifdef VTKI_AREA
-    irradiance += textureLod(vtkiArea, pixel, 0.0f).rgb;
-#endif
-    irradiance += vtkiBoundBounce(bounce, irradiance);
-    vec3 indirect = albedo * irradiance * (vtkiIndirectScale * lit.a);
-#ifdef VTKI_AREA_GLOSSY
-    indirect += textureLod(vtkiAreaGlossy, pixel, 0.0f).rgb * (vtkiIndirectScale * lit.a);
-#endif
-#ifdef VTKI_GLOSSY
-    indirect += textureLod(vtkiSpecular, pixel, 0.0f).rgb *
-      textureLod(vtkiGlossy, pixel, 0.0f).rgb * (vtkiIrradianceUnit * vtkiIndirectScale * lit.a);
-#endif
+    vec3 sky = vec3(0.0f);
+    vec3 area = vec3(0.0f);
+    vec3 bounce = vec3(0.0f);
+    vtkiAddIrradiance(position, sky, area, bounce);
+    vec3 indirect = albedo * (sky + area + bounce) * (vtkiIndirectScale * lit.a);
+    vtkiAddRadiance(position, vtkiIndirectScale * lit.a, indirect);
 #ifdef VTKI_ENCODED
     float kind = vtkiSurfaceKind(textureLod(vtkiSurface, pixel, 0.0f));
     lit.rgb = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(lit.rgb) + indirect)

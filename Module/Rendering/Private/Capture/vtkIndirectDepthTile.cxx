@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Visibility/vtkIndirectDepthTile.h"
+#include "Capture/vtkIndirectDepthTile.h"
 
+#include "Capture/vtkIndirectFootprint.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "LightMaps/vtkIndirectFootprint.h"
-#include "LightMaps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
 #include "vtkOpenGLCamera.h"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <vector>
 
@@ -27,6 +29,25 @@ void FrameAlong(const glm::dvec3& n, glm::dvec3& x, glm::dvec3& y)
   vtkIndirectKernels::vtkiFrameAlong(glm::vec3(n), first, second);
   x = first;
   y = second;
+}
+
+// Returns the matrix to clip coordinates, of lengths that are scene units over a scale.
+glm::dmat4 MakeProjection(const vtkIndirectDepthTile& view, double scale)
+{
+  const double nearPlane = view.Near / scale;
+  const double farPlane = view.Far / scale;
+  const double depth = farPlane - nearPlane;
+  const glm::dvec2 halfWidth = view.Parallel ? view.HalfWidth / scale : view.HalfWidth;
+  glm::dmat4 projection(0.0);
+  projection[0][0] = 1.0 / halfWidth.x;
+  projection[1][1] = 1.0 / halfWidth.y;
+  projection[2][0] = view.Parallel ? 0.0 : view.Middle.x / halfWidth.x;
+  projection[2][1] = view.Parallel ? 0.0 : view.Middle.y / halfWidth.y;
+  projection[2][2] = -(view.Parallel ? 2.0 : farPlane + nearPlane) / depth;
+  projection[3][2] = -(view.Parallel ? farPlane + nearPlane : 2.0 * farPlane * nearPlane) / depth;
+  projection[2][3] = view.Parallel ? 0.0 : -1.0;
+  projection[3][3] = view.Parallel ? 1.0 : 0.0;
+  return projection;
 }
 
 // A caster that lies in a plane across an axis: it hides nothing of itself.
@@ -162,24 +183,18 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
   tile.Parallel = true;
   tile.Forward = -toLight;
   FrameAlong(toLight, tile.Right, tile.Up);
+  const glm::dmat3 axes(tile.GetToScene());
+  const std::vector<glm::dvec3> corners = frame.FindCorners(axes, tile.Place);
   glm::dvec3 lower(std::numeric_limits<double>::infinity());
   glm::dvec3 upper = -lower;
   const std::vector<char> outlying = FindOutlying(frame, toLight);
-  for (size_t k = 0; k < frame.Casters.size(); ++k)
+  for (size_t i = 0; i < corners.size(); ++i)
   {
-    for (int i = 0; i < 8; ++i)
+    // Depths cover all casters: an outlying one is drawn within the tile.
+    for (int axis = outlying[i / 8] ? 2 : 0; axis < 3; ++axis)
     {
-      const glm::dvec3 corner = ToScene(frame, frame.Casters[k].GetFit(), i);
-      const glm::dvec3 p(
-        glm::dot(corner, tile.Right), glm::dot(corner, tile.Up), glm::dot(corner, toLight));
-      // Depths cover all casters: an outlying one is drawn within the tile.
-      lower.z = std::min(lower.z, p.z);
-      upper.z = std::max(upper.z, p.z);
-      if (!outlying[k])
-      {
-        lower = glm::min(lower, p);
-        upper = glm::max(upper, p);
-      }
+      lower[axis] = std::min(lower[axis], corners[i][axis]);
+      upper[axis] = std::max(upper[axis], corners[i][axis]);
     }
   }
   // A margin keeps the outermost points off the edge, and a flat scene gets an extent, too.
@@ -188,7 +203,7 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
   const glm::dvec3 middle = 0.5 * (lower + upper);
   tile.HalfWidth = glm::dvec2(half);
   tile.Far = 2.0 * half.z;
-  tile.Place = middle.x * tile.Right + middle.y * tile.Up + (middle.z + half.z) * toLight;
+  tile.Place = axes * (middle + glm::dvec3(0.0, 0.0, half.z));
   return tile;
 }
 
@@ -216,8 +231,7 @@ unsigned int vtkIndirectDepthTile::FindViews(
   const double limit = vtkIndirectKernels::VTKI_TILE_TANGENT;
   for (int i = 0; i < 8; ++i)
   {
-    const glm::dvec3 d = ToScene(frame, bounds, i) - this->Place;
-    const glm::dvec3 p(glm::dot(d, this->Right), glm::dot(d, this->Up), glm::dot(d, this->Forward));
+    const glm::dvec3 p = this->ToView(ToScene(frame, bounds, i));
     corners[static_cast<size_t>(i)] = p;
     footprint.Add(glm::dvec2(p) - this->Middle * p.z,
       this->HalfWidth * (this->Parallel ? 1.0 : p.z), p.z < this->Near);
@@ -262,7 +276,7 @@ double vtkIndirectDepthTile::FindTexelAt(
   double nearest = std::numeric_limits<double>::infinity();
   for (int i = 0; i < 8; ++i)
   {
-    nearest = std::min(nearest, glm::dot(ToScene(frame, bounds, i) - this->Place, this->Forward));
+    nearest = std::min(nearest, this->ToView(ToScene(frame, bounds, i)).z);
   }
   const glm::dvec3 lower = ToScene(frame, bounds, 0);
   const glm::dvec3 upper = ToScene(frame, bounds, 7);
@@ -275,13 +289,10 @@ double vtkIndirectDepthTile::FindTexelAt(
 //------------------------------------------------------------------------------
 glm::dmat4 vtkIndirectDepthTile::GetWorldToClip(const vtkIndirectFrame& frame) const
 {
-  const glm::dmat3 rotation =
-    glm::transpose(glm::dmat3(this->Right, this->Up, -this->Forward)) * frame.SceneScale;
+  const glm::dmat3 rotation = glm::transpose(glm::dmat3(this->GetToScene())) * frame.SceneScale;
   glm::dmat4 view(rotation);
-  view[3] = glm::dvec4(-(rotation * (frame.SceneCenter + this->Place / frame.SceneScale)), 1.0);
-  return vtkIndirectLightMap::MakeProjection(
-           this->Parallel, this->HalfWidth, this->Near, this->Far, this->Middle) *
-    view;
+  view[3] = glm::dvec4(-(rotation * frame.ToWorld(this->Place)), 1.0);
+  return MakeProjection(*this, 1.0) * view;
 }
 
 //------------------------------------------------------------------------------
@@ -289,17 +300,20 @@ void vtkIndirectDepthTile::SetUp(vtkOpenGLCamera* camera, const vtkIndirectFrame
 {
   const double n = this->Near / frame.SceneScale;
   const double f = this->Far / frame.SceneScale;
-  const glm::dvec3 position = this->Place / frame.SceneScale + frame.SceneCenter;
+  const glm::dvec3 position = frame.ToWorld(this->Place);
+  // VTK stores the direction as a difference of points: far from the origin it needs a long one.
   const glm::dvec3 focal = position + this->Forward * f;
   camera->SetPosition(position.x, position.y, position.z);
   camera->SetFocalPoint(focal.x, focal.y, focal.z);
   camera->SetViewUp(this->Up.x, this->Up.y, this->Up.z);
+  // Mappers put this flag into the key of their shader source: a map that changed it would rebuild
+  // every actor's source twice a frame. The projection itself is set below.
   camera->SetParallelProjection(frame.Parallel ? 1 : 0);
   camera->SetClippingRange(std::max(n, 1e-6 * f), f);
-  const glm::dvec2 halfWidth =
-    this->Parallel ? this->HalfWidth / frame.SceneScale : this->HalfWidth;
-  vtkIndirectLightMap::SetProjection(
-    camera, vtkIndirectLightMap::MakeProjection(this->Parallel, halfWidth, n, f, this->Middle));
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->DeepCopy(glm::value_ptr(glm::transpose(MakeProjection(*this, frame.SceneScale))));
+  camera->SetExplicitProjectionTransformMatrix(matrix);
+  camera->UseExplicitProjectionTransformMatrixOn();
   camera->Modified();
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Depth maps of single virtual lights and directions: their axes, their depths, and the planes of
 // receivers in them.
+#include "Capture/vtkIndirectDepthTile.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "Visibility/vtkIndirectDepthTile.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The view of one tile of the depth atlas: the camera of an emitter.
+// The camera of an emitter: the view of a tile of the depth atlas, or of a face of a light's map.
 #pragma once
 
 #include <array>       // for strips
@@ -65,6 +65,20 @@ struct vtkIndirectDepthTile
   static vtkIndirectDepthTile FromDirection(
     const vtkIndirectFrame& frame, const glm::dvec3& toLight);
 
+  /** Returns a place, in scene units, along the axes right, up and forward. */
+  glm::dvec3 ToView(const glm::dvec3& place) const
+  {
+    const glm::dvec3 d = place - this->Place;
+    return { glm::dot(d, this->Right), glm::dot(d, this->Up), glm::dot(d, this->Forward) };
+  }
+  /** Returns the matrix from a frame that looks along -z, of scene units, to the scene. */
+  glm::dmat4 GetToScene() const
+  {
+    glm::dmat4 toScene(glm::dmat3(this->Right, this->Up, -this->Forward));
+    toScene[3] = glm::dvec4(this->Place, 1.0);
+    return toScene;
+  }
+
   /** Converts a parallel tile from other scene units to those of this frame. */
   vtkIndirectDepthTile FromUnits(
     double scale, const glm::dvec3& center, const vtkIndirectFrame& frame) const;
@@ -90,7 +104,7 @@ struct vtkIndirectDepthTile
 
   /** Returns the matrix from world to clip coordinates. */
   glm::dmat4 GetWorldToClip(const vtkIndirectFrame& frame) const;
-  /** Sets up a camera that keeps the eye's ParallelProjection flag; see vtkIndirectLightMap. */
+  /** Sets up a camera; it keeps the eye's ParallelProjection flag (see the source). */
   void SetUp(vtkOpenGLCamera* camera, const vtkIndirectFrame& frame) const;
 
   bool operator==(const vtkIndirectDepthTile& other) const;

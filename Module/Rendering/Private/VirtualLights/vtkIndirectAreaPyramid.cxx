@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gather/vtkIndirectAreaPyramid.h"
+#include "VirtualLights/vtkIndirectAreaPyramid.h"
 
 #include <algorithm>
 
