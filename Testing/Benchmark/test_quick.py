@@ -142,7 +142,8 @@ class Quick(unittest.TestCase):
 
     def publish(self, reports: Path, target: Path) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
-            [sys.executable, "-B", str(HERE / "publish.py"), str(reports), str(target)],
+            [sys.executable, "-B", str(HERE / "publish.py"), str(reports), str(target),
+             "all", "hints", "sky", "spheres", "benchmarks"],
             capture_output=True,
             text=True,
             check=False,
