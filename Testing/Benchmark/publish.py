@@ -24,10 +24,11 @@ from page import provenance
 DOCUMENTATION = Path(__file__).resolve().parent.parent.parent / "Documentation"
 
 HOW = """
-This command makes this page again, and writes difference images of every row (build/report):
+This command makes this page again:
 
     Testing/Benchmark/report{only}
 """
+PICTURES = "It also writes difference images of every row (build/report)."
 
 ALL = """
 Further pages: [light from the sky](speed-vs-error/sky.md), [the same by spheres](speed-vs-error/spheres.md), [area
@@ -146,7 +147,7 @@ def publish(report: Path, page: Page, documentation: Path) -> None:
     table = f"The rows with all their columns: [rows.csv]({page.link}rows.csv)."
     alone = report.name not in TOGETHER
     how = HOW.format(only=f" --only {report.name}" if alone else " --environment")
-    preface = "\n\n".join(text.strip() for text in (how, table, page.preface))
+    preface = "\n\n".join(text.strip() for text in (how, PICTURES, table, page.preface))
     summaries = {
         "all": at_a_glance,
         "hints": equals,

@@ -14,7 +14,7 @@ import re
 import sys
 from pathlib import Path
 
-from faults import report
+from faults import check
 
 FOLDERS = ("Module", "Testing", "Wrapping")
 WORDS = "How|Of|That|Those|What|Whether|Whose|Why"
@@ -46,11 +46,5 @@ def find_faults(root: Path) -> list[str]:
     return faults
 
 
-def main() -> int:
-    """Print the faults; returns the exit code."""
-    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
-    return report(find_faults(root))
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(check(find_faults))

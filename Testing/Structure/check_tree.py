@@ -15,7 +15,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from faults import report
+from faults import check
 
 ROOT = {
     "CHANGELOG.md",
@@ -58,11 +58,5 @@ def find_faults(root: Path) -> list[str]:
     return faults + [f"git holds {path}, which a program made" for path in made]
 
 
-def main() -> int:
-    """Print the faults; returns the exit code."""
-    root = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parents[2]
-    return report(find_faults(root))
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(check(find_faults))
