@@ -296,7 +296,7 @@ class Run(compare.Run):
         return rows
 
     def _names_for_flicker(self, row: Row) -> bool:
-        """True where the sweep names a row of the path tracer, whose path is eight more images."""
+        """True where the sweep names a row of the path tracer: each frame of a path is traced."""
         named = self.comparison.sweep.flicker
         return not isinstance(named, bool) and row.label in named and "flicker" not in self.missing
 

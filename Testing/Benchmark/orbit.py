@@ -21,7 +21,7 @@ from vtkindirect.errors import RenderError
 from vtkindirect.metrics import MetricError, pair
 from vtkindirect.scene import Scene
 
-FRAMES = 8
+FRAMES = 5
 STEP = 0.5
 """Degrees between frames: a few pixels at the sizes that are compared."""
 

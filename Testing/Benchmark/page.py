@@ -10,6 +10,7 @@ from typing import Any
 
 from vtkindirect import frames, images, references
 
+import orbit
 import plot
 
 Result = dict[str, Any]
@@ -196,9 +197,9 @@ def _introduction(results: Sequence[Result]) -> list[str]:
         )
     if any(row.get("flicker") is not None for row in results):
         said.append(
-            "flicker: while the camera turns around its focal point, eight frames half a degree "
-            "apart, the mean change from frame to frame beyond that of R1 (maps of 128 x 128), over "
-            "the reference's mean. Below zero the image changes too little."
+            f"flicker: while the camera turns around its focal point, {orbit.FRAMES} frames half a "
+            "degree apart, the mean change from frame to frame beyond that of R1 (maps of 128 x 128), "
+            "over the reference's mean. Below zero the image changes too little."
         )
     said.append(
         "In the plots, numbers beside points are the property that the sweep varies, dashed lines the "
