@@ -57,7 +57,9 @@ private:
   size_t FurtherMaps = 0;
   // These numbers identify the inputs of the tree and the lights.
   vtkMTimeType MapTime = 0;
+  vtkMTimeType WindowTime = 0;
   int Count = 0;
+  vtkIndirectSeenBox Seen;
   bool Automatic = false;
   double Error = 0.0;
 };
@@ -97,7 +99,10 @@ bool TreeLights::Update(const Input& input)
   const bool anew =
     input.Further && input.Further->Time != this->FurtherTime && this->FromMaps.empty();
   const bool gone = !input.Further && this->FurtherTime != 0;
-  const bool read = this->MapTime != time || anew || gone;
+  // Windows follow the camera: while the camera moves, lights stay.
+  const vtkMTimeType windowTime = input.Maps.GetWindowTime();
+  const bool moved = this->WindowTime != windowTime && !input.Interactive;
+  const bool read = this->MapTime != time || moved || anew || gone;
   const vtkIndirectFurtherSenders* further = input.Further;
   const size_t furtherTime = further ? further->Time : 0;
   const bool same = !read && this->FurtherTime == furtherTime;
@@ -107,7 +112,8 @@ bool TreeLights::Update(const Input& input)
     automatic && input.Interactive ? std::min(this->Set.GetNumberOfLights(), MostLights) : wanted;
   // While only the camera moves, the lights of a still picture are kept.
   const bool enough = this->Count == most || this->Count == wanted;
-  if (same && enough && this->Automatic == automatic && this->Error == error)
+  const bool seen = this->Seen == input.Frame.Seen.Box || input.Interactive;
+  if (same && enough && seen && this->Automatic == automatic && this->Error == error)
   {
     return true;
   }
@@ -128,6 +134,7 @@ bool TreeLights::Update(const Input& input)
     }
     this->FromMaps = std::move(senders);
     this->MapTime = time;
+    this->WindowTime = windowTime;
   }
   if (!same)
   {
@@ -143,6 +150,8 @@ bool TreeLights::Update(const Input& input)
     this->Clusters.SetSenders(std::move(senders));
     this->FurtherTime = furtherTime;
   }
+  this->Seen = input.Frame.Seen.Box;
+  this->Clusters.SetSeen(this->Seen);
   const vtkIndirectSenderClusters::LightTree lights = this->Clusters.MakeLights(
     std::vector<glm::dvec3>(this->Sources + this->FurtherMaps, glm::dvec3(1.0)), most, error,
     further ? vtkIndirectSenderClusters::NearnessOfBounces

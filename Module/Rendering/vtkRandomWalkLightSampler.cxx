@@ -36,10 +36,11 @@ constexpr int MostVertices = 1048576;
 constexpr double SmoothingOfLaterBounces = 8.0;
 
 // Makes a key of the inputs of the paths, except the surfaces.
-vtkIndirectKey MakeKey(
-  const vtkIndirectEmitters::List& emitters, const vtkIndirectRandomWalk::Settings& settings)
+vtkIndirectKey MakeKey(const vtkIndirectFrame& frame, const vtkIndirectEmitters::List& emitters,
+  const vtkIndirectRandomWalk::Settings& settings)
 {
   vtkIndirectKey key;
+  frame.Seen.Box.AppendTo(key);
   key.Add("number of vertices", settings.NumberOfVertices);
   key.Add("bounces", settings.FirstBounce).Add("bounces", settings.LastBounce);
   for (const vtkIndirectLight& emitter : emitters)
@@ -142,14 +143,14 @@ bool WalkLights::Walk(const Input& input)
   settings.FirstBounce = this->Set.GetFirstBounce();
   settings.LastBounce = input.NumberOfBounces;
   const bool moved = this->SurfacesTime != input.Surfaces->GetTime();
-  vtkIndirectKey key = MakeKey(emitters, settings);
+  vtkIndirectKey key = MakeKey(input.Frame, emitters, settings);
   bool same = !moved && key == this->WalkKey;
   bool coarse = false;
   if (!same && input.Interactive && this->Set.GetNumberOfVertices() > 0)
   {
     settings.NumberOfVertices = std::max(this->Set.GetNumberOfVertices() / FewerWhileMoving, 1);
     coarse = true;
-    key = MakeKey(emitters, settings);
+    key = MakeKey(input.Frame, emitters, settings);
     same = !moved && key == this->WalkKey;
   }
   const int next = this->Frames + (input.Interactive ? 0 : 1);
@@ -198,6 +199,7 @@ bool WalkLights::Update(const Input& input)
     vtkIndirectFurtherSenders senders;
     this->FindSenders(senders);
     this->Clusters.SetSenders(std::move(senders.Senders));
+    this->Clusters.SetSeen(input.Frame.Seen.Box);
     const vtkIndirectSenderClusters::LightTree found =
       this->Clusters.MakeLights(std::vector<glm::dvec3>(senders.NumberOfMaps, glm::dvec3(1.0)),
         this->Set.GetNumberOfLights(), error,

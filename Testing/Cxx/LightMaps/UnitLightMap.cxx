@@ -346,3 +346,74 @@ VTK_INDIRECT_TEST(MapProjections)
       0.505 / std::sqrt(distance * distance - 0.505 * 0.505), 1e-9, "sphere around it, and 1 %");
   }
 }
+
+VTK_INDIRECT_TEST(MapWindow)
+{
+  // The eye sees a small part of each scene: the window holds this part, has texels as fine as the
+  // pixels need, or as fine as its size allows, and stays where it is when the part moves a little.
+  Random random(61);
+  constexpr int texels = 512;
+  int windows = 0;
+  int kept = 0;
+  int onCubes = 0;
+  int tooWide = 0;
+  double widestOfAll = 0.0;
+  for (int run = 0; run < 400; ++run)
+  {
+    RandomScene scene(random, 0.0);
+    vtkIndirectLightMap map;
+    map.Fit(scene.Frame, scene.Light);
+    if (map.Projection == vtkIndirectKernels::VTKI_MAP_FACES)
+    {
+      map.FitWindow(scene.Frame, texels);
+      onCubes += map.Window.HalfWidth > 0.0 ? 1 : 0;
+      continue;
+    }
+    const double size = random.NextMagnitude(1e-3, 0.3);
+    const glm::dvec3 middle = scene.Frame.ToScene(PointIn(random, scene.Frame.Casters[0].Bounds));
+    auto look = [&](const glm::dvec3& from)
+    {
+      scene.Frame.Seen = {};
+      Random places(run);
+      for (int i = 0; i < 1000; ++i)
+      {
+        scene.Frame.Seen.Places.push_back(
+          { from + places.NextDirection() * (0.5 * size * places.Next()), size / 300.0 });
+      }
+      map.FitWindow(scene.Frame, texels);
+      return map.Window;
+    };
+    const vtkIndirectShadowMap::WindowType window = look(middle);
+    if (window.HalfWidth == 0.0)
+    {
+      continue;
+    }
+    ++windows;
+    tooWide += window.HalfWidth > 0.5 * map.HalfWidth ? 1 : 0;
+    const vtkIndirectDepthTile view = map.GetWindowView();
+    double widest = 0.0; // texel over pixel
+    for (const vtkIndirectSeen::Place& place : scene.Frame.Seen.Places)
+    {
+      const glm::dvec3 p = view.ToView(place.At);
+      const double scale = view.Parallel ? 1.0 : p.z;
+      const glm::dvec2 at = glm::dvec2(p) / scale - view.Middle;
+      const bool inMap =
+        map.Light.Positional ? std::max(std::abs(p.x), std::abs(p.y)) <= map.HalfWidth * p.z : true;
+      if (inMap && std::max(std::abs(at.x), std::abs(at.y)) <= window.HalfWidth)
+      {
+        widest = std::max(widest, 2.0 * window.HalfWidth / texels * scale / place.Pixel);
+      }
+    }
+    widestOfAll = map.Light.Positional ? widestOfAll : std::max(widestOfAll, widest);
+    const vtkIndirectShadowMap::WindowType next =
+      look(middle + random.NextDirection() * (1e-3 * size));
+    kept += next.HalfWidth == window.HalfWidth && next.Middle == window.Middle ? 1 : 0;
+  }
+  CheckEqual("windows on the faces of cubes", onCubes, 0);
+  CheckEqual("windows wider than half of their map", tooWide, 0);
+  CheckAtMost("widest texel of a sun's window over a pixel", widestOfAll, 1.5,
+    "WidestTexel; of a spot's window the nearest places decide");
+  CheckAtLeast("windows", windows, 60, "more than half of the maps have one face, of small parts");
+  CheckAtLeast("windows kept after a small move", kept, 0.95 * windows,
+    "a step is an eighth of a window, the move a 2000th");
+}

@@ -3,6 +3,7 @@
 // lost.
 #include "VirtualLights/vtkIndirectEmitters.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h"
+#include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "VirtualLights/vtkIndirectSkyProjection.h"
 #include "vtkAreaLight.h"
 #include "vtkEnvironmentLight.h"
@@ -194,14 +195,15 @@ VTK_INDIRECT_TEST(ClustersLeaveOutTheOutside)
   {
     places.push_back(sender.Position);
   }
-  Clusters::RemoveOutermost(senders, places);
+  vtkIndirectSenderTexels::RemoveOutermost(senders, places);
   CheckEqual("all but the floor's underside", static_cast<double>(senders.size()), 1200);
   Check("it is gone",
     std::none_of(senders.begin(), senders.end(),
       [](const Clusters::Sender& sender) { return sender.Normal.z < 0.0f; }));
   // A single box lights nothing.
   senders.resize(400);
-  Clusters::RemoveOutermost(senders, { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  vtkIndirectSenderTexels::RemoveOutermost(
+    senders, { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
   CheckEqual("of a floor alone", static_cast<double>(senders.size()), 0);
 }
 

@@ -11,11 +11,9 @@
 
 namespace
 {
-// Number of uniform rows of a light: three of the matrix, map, depths, and for a penumbra the size.
-int CountRows(const vtkIndirectLightConstants::Group& group)
-{
-  return group.Penumbra ? 6 : 5;
-}
+// Number of uniform rows of a light: three of the matrix, map, depths, and the size of a penumbra
+// or the window of a map.
+constexpr int NumberOfRows = 6;
 
 std::string GetName(const vtkIndirectLightConstants::Group& group)
 {
@@ -69,11 +67,14 @@ void vtkIndirectCaptureLights::Update(
   for (const vtkIndirectShadowMap& map : shadows->Maps)
   {
     set(map, shadows->Texels);
+    const vtkIndirectShadowMap::WindowType& window = map.Window;
+    this->Lights[map.Light.Index].Shape = glm::vec4(
+      window.Middle.x, window.Middle.y, window.Layer < 0 ? -1.0 : window.HalfWidth, window.Layer);
   }
   for (const vtkIndirectPenumbraMap& penumbra : shadows->Penumbrae)
   {
     set(penumbra.Map, shadows->TileTexels);
-    this->Lights[penumbra.Map.Light.Index].Size = glm::vec4(
+    this->Lights[penumbra.Map.Light.Index].Shape = glm::vec4(
       penumbra.Size, penumbra.HoldsAll ? 1.0 : 0.0, shadows->TileColumns, shadows->TileRows);
   }
 }
@@ -83,16 +84,15 @@ std::string vtkIndirectCaptureLights::GetDeclarations(
   const vtkIndirectLightConstants::Group& group, bool named)
 {
   const size_t lights = group.Lights.size();
-  const int rows = CountRows(group);
   if (lights > 1 && !named)
   {
     return "uniform vec4 " + GetName(group) + "[" +
-      std::to_string(rows * static_cast<int>(lights)) + "];\n";
+      std::to_string(NumberOfRows * static_cast<int>(lights)) + "];\n";
   }
   std::string text;
   for (size_t i = 0; i < lights; ++i)
   {
-    for (int row = 0; row < rows; ++row)
+    for (int row = 0; row < NumberOfRows; ++row)
     {
       text += "uniform vec4 " + GetRow(group, i, row) + ";\n";
     }
@@ -107,7 +107,7 @@ std::string vtkIndirectCaptureLights::GetLookUps(
   const std::string name = GetName(group);
   const size_t lights = group.Lights.size();
   std::string rows;
-  for (int row = 0; row < CountRows(group); ++row)
+  for (int row = 0; row < NumberOfRows; ++row)
   {
     std::vector<std::string> values;
     for (size_t i = 0; i < lights; ++i)
@@ -115,16 +115,15 @@ std::string vtkIndirectCaptureLights::GetLookUps(
       values.push_back(GetRow(group, i, row));
     }
     rows += "    vec4 vtkiRow" + std::to_string(row) + " = " +
-      (lights > 1 && !named ? name + "[" + std::to_string(CountRows(group)) + " * vtkiLight + " +
+      (lights > 1 && !named ? name + "[" + std::to_string(NumberOfRows) + " * vtkiLight + " +
             std::to_string(row) + "]"
                             : Choose(values)) +
       ";\n";
   }
   rows += std::string("    float vtkiSeen = ") +
     (group.Penumbra ? "vtkiPenumbra" : "vtkiVisibility") +
-    "(mat3x4(vtkiRow0, vtkiRow1, vtkiRow2), vtkiRow3, vtkiRow4, " +
-    (group.Penumbra ? "vtkiRow5, " : "") + std::to_string(group.Projection) +
-    ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
+    "(mat3x4(vtkiRow0, vtkiRow1, vtkiRow2), vtkiRow3, vtkiRow4, vtkiRow5, " +
+    std::to_string(group.Projection) + ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
   std::string begin;
   std::string end;
   for (size_t i = 0; i < lights; ++i)
@@ -169,11 +168,10 @@ void vtkIndirectCaptureLights::SetUniforms(
       const Light& light = this->Lights[static_cast<size_t>(group.Lights[i])];
       const glm::mat4 toLight = glm::transpose(light.ViewToLight);
       const glm::vec4 all[] = { toLight[0], toLight[1], toLight[2], light.ShadowMap,
-        light.ShadowDepth, light.Size };
-      const int count = CountRows(group);
-      rows.insert(rows.end(), all, all + count);
+        light.ShadowDepth, light.Shape };
+      rows.insert(rows.end(), all, all + NumberOfRows);
       const bool named = program->IsUniformUsed(GetRow(group, i, 3).c_str());
-      for (int row = 0; named && row < count; ++row)
+      for (int row = 0; named && row < NumberOfRows; ++row)
       {
         program->SetUniform4f(GetRow(group, i, row).c_str(), glm::value_ptr(all[row]));
       }

@@ -48,7 +48,7 @@ private:
     glm::mat4 ViewToLight{ 1.0f }; // scene units
     glm::vec4 ShadowMap{ -1.0f };
     glm::vec4 ShadowDepth{ 0.0f };
-    glm::vec4 Size{ 0.0f };
+    glm::vec4 Shape{ 0.0f }; // of a penumbra, or the window of a map
   };
   std::vector<Light> Lights; // indexed by vtkIndirectLight::Index
 };

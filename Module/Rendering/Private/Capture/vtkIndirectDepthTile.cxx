@@ -197,6 +197,15 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
       upper[axis] = std::max(upper[axis], corners[i][axis]);
     }
   }
+  // Nobody sees receivers beyond the box.
+  const vtkIndirectSeenBox& seen = frame.Seen.Box;
+  for (int axis = 0; seen.IsPart && axis < 2; ++axis)
+  {
+    const double middle = glm::dot(axes[axis], seen.Middle - tile.Place);
+    const double reach = glm::dot(glm::abs(axes[axis]), seen.Half);
+    lower[axis] = glm::clamp(lower[axis], middle - reach, middle + reach);
+    upper[axis] = glm::clamp(upper[axis], middle - reach, middle + reach);
+  }
   // A margin keeps the outermost points off the edge, and a flat scene gets an extent, too.
   constexpr double margin = 1.01;
   const glm::dvec3 half = glm::max(0.5 * margin * (upper - lower), glm::dvec3(1e-3));

@@ -20,6 +20,14 @@ struct vtkIndirectShadowMap
   double HalfWidth = 1.0; // tangents (perspective) or scene units (parallel)
   double Near = 0.0;      // scene units
   double Far = 1.0;
+  /** A second image of a part of the map, with finer texels; see vtkIndirectLightMap::FitWindow. */
+  struct WindowType
+  {
+    int Layer = -1;           // negative: there is none
+    glm::dvec2 Middle{ 0.0 }; // tangents (perspective) or scene units (parallel)
+    double HalfWidth = 0.0;
+  };
+  WindowType Window;
 };
 
 /** The maps of a light with a size, one from each of its points: tiles of one texture. */

@@ -337,7 +337,7 @@ void vtkSurfaceCapturePass::DrawMap(const vtkIndirectFrame& frame, const vtkIndi
   in.DepthRange[1] = static_cast<float>(view.Far);
   in.DepthRange[2] = static_cast<float>(in.StageIsParallel);
   const glm::dvec2 texel = 2.0 * view.HalfWidth / static_cast<double>(texels);
-  in.PixelRays = { glm::vec4(glm::dvec4(texel, -view.HalfWidth)), glm::vec3(0.0f) };
+  in.PixelRays = { glm::vec4(glm::dvec4(texel, view.Middle - view.HalfWidth)), glm::vec3(0.0f) };
   in.Camera = in.MapCamera;
   in.Renderer = frame.Renderer;
   in.SceneCenter = frame.SceneCenter;

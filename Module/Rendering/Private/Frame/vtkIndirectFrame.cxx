@@ -452,6 +452,7 @@ void vtkIndirectFrame::AppendFitsTo(vtkIndirectKey& key) const
   {
     key.Add("caster bounds", caster.GetFit(), 6);
   }
+  this->Seen.Box.AppendTo(key);
 }
 
 //------------------------------------------------------------------------------

@@ -6,7 +6,8 @@
 // a million metres from the origin. The transforms are made in double precision here.
 #pragma once
 
-#include "vtkType.h" // for numbers
+#include "Frame/vtkIndirectSeen.h" // for the part that the eye sees
+#include "vtkType.h"               // for numbers
 
 #include <glm/glm.hpp> // for vectors and matrices
 #include <string>      // for reasons
@@ -156,6 +157,7 @@ struct vtkIndirectFrame
   glm::dmat3 RayOrigin{ 0.0 };   // see vtkiReconstruct
   glm::dmat3 RayDirection{ 0.0 };
   glm::dvec3 RaysMeet{ 0.0 }; // where all rays of a perspective meet
+  vtkIndirectSeen Seen;       // empty where the picture shows most of the scene
 
   /**
    * Reads the scene. The eye is set up only if something opaque is in a viewport of any size. If
@@ -206,7 +208,7 @@ struct vtkIndirectFrame
   void AppendTo(vtkIndirectKey& key) const;
   /** Appends the units of the scene: positions in scene units depend on them. */
   void AppendUnitsTo(vtkIndirectKey& key) const;
-  /** Appends the units and the boxes that depth maps are fitted to. */
+  /** Appends the units and the boxes that depth maps are fitted to; after Seen is set. */
   void AppendFitsTo(vtkIndirectKey& key) const;
   /** Reports the props that take no part, one entry for each class and reason. */
   void AddToReport(vtkIndirectReport& report) const;

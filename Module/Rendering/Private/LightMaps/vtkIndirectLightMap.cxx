@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -35,6 +36,64 @@ glm::dmat3 FrameAlong(const glm::dvec3& direction)
   }
   const glm::dvec3 right = glm::normalize(glm::cross(direction, helper));
   return { right, glm::cross(right, direction), -direction };
+}
+
+// Texels of a shadow are at most this many pixels wide where that is possible.
+constexpr double WidestTexel = 1.5;
+// A window is worth drawing if it halves the texels of half of the picture, or does as much.
+constexpr double LeastGain = 0.5;
+constexpr size_t FewestPlaces = 64;
+
+// A place that the eye sees, in a map, and the width of a texel that suffices there.
+struct SeenTexel
+{
+  glm::dvec2 At;
+  double Width;
+};
+
+// Returns a window that holds the first places and is no finer than they need.
+vtkIndirectShadowMap::WindowType FindWindow(
+  const std::vector<SeenTexel>& seen, size_t count, double halfWidth, int texels)
+{
+  glm::dvec2 lower = seen.front().At;
+  glm::dvec2 upper = lower;
+  for (size_t i = 0; i < count; ++i)
+  {
+    lower = glm::min(lower, seen[i].At);
+    upper = glm::max(upper, seen[i].At);
+  }
+  const glm::dvec2 half = 0.5 * (upper - lower);
+  // Half of the finest texels that any place needs.
+  const double least = 0.25 * texels * seen.front().Width;
+  vtkIndirectShadowMap::WindowType window;
+  const double needed = std::max(half.x, half.y);
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    // Both axes have the longer one's length.
+    const double middle = 0.5 * (lower[axis] + upper[axis]);
+    const vtkIndirectInterval held =
+      vtkIndirectInterval::Find(middle - needed, middle + needed, halfWidth, least);
+    window.Middle[axis] = held.Middle;
+    window.HalfWidth = held.Half;
+  }
+  return window;
+}
+
+// Returns by how many halvings of a texel's width a window helps, in sum over all places.
+double FindGain(const std::vector<SeenTexel>& seen, const vtkIndirectShadowMap::WindowType& window,
+  double halfWidth, int texels)
+{
+  double gain = 0.0;
+  for (const SeenTexel& place : seen)
+  {
+    const glm::dvec2 beside = glm::abs(place.At - window.Middle);
+    if (std::max(beside.x, beside.y) < window.HalfWidth)
+    {
+      gain += std::log2(std::max(2.0 * halfWidth / texels, place.Width) /
+        std::max(2.0 * window.HalfWidth / texels, place.Width));
+    }
+  }
+  return gain;
 }
 }
 
@@ -102,6 +161,58 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectLightMap::FitWindow(const vtkIndirectFrame& frame, int texels)
+{
+  this->Window = {};
+  if (this->Projection == vtkIndirectKernels::VTKI_MAP_FACES)
+  {
+    return;
+  }
+  std::vector<SeenTexel> seen;
+  for (const vtkIndirectSeen::Place& place : frame.Seen.Places)
+  {
+    const glm::dvec3 p = this->Faces[0].ToView(place.At);
+    const double scale = this->Light.Positional ? p.z : 1.0;
+    const glm::dvec2 at = glm::dvec2(p) / scale;
+    if (scale > 0.0 && std::max(std::abs(at.x), std::abs(at.y)) <= this->HalfWidth)
+    {
+      seen.push_back({ at, WidestTexel * place.Pixel / scale });
+    }
+  }
+  std::stable_sort(seen.begin(), seen.end(),
+    [](const SeenTexel& a, const SeenTexel& b) { return a.Width < b.Width; });
+  double most = LeastGain * static_cast<double>(seen.size());
+  // A window of the places with the finest pixels is finer than a window of all places.
+  for (size_t count = seen.size(); count >= FewestPlaces; count /= 2)
+  {
+    const WindowType window = FindWindow(seen, count, this->HalfWidth, texels);
+    const double gain = FindGain(seen, window, this->HalfWidth, texels);
+    if (gain > most)
+    {
+      most = gain;
+      this->Window = window;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectDepthTile vtkIndirectLightMap::GetWindowView() const
+{
+  vtkIndirectDepthTile view = this->Faces[0];
+  const glm::dvec2& middle = this->Window.Middle;
+  view.HalfWidth = glm::dvec2(this->Window.HalfWidth);
+  if (view.Parallel)
+  {
+    view.Place += middle.x * view.Right + middle.y * view.Up;
+  }
+  else
+  {
+    view.Middle = middle;
+  }
+  return view;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectLightMap::FitDepths(
   vtkIndirectShadowMap& map, const glm::dvec3& lower, const glm::dvec3& upper, double radius)
 {
@@ -151,7 +262,11 @@ vtkIndirectDepthTile vtkIndirectLightMap::MakeFace(
 //------------------------------------------------------------------------------
 double vtkIndirectLightMap::FindTexelAt(const glm::dvec3& place, int texels) const
 {
-  return 2.0 * this->HalfWidth / texels *
+  const glm::dvec3 p = glm::dvec3(this->WorldToLight * glm::dvec4(place, 1.0)) * this->SceneScale;
+  const glm::dvec2 beside =
+    glm::abs(glm::dvec2(p) / (this->Light.Positional ? -p.z : 1.0) - this->Window.Middle);
+  const bool inWindow = std::max(beside.x, beside.y) < this->Window.HalfWidth;
+  return 2.0 * (inWindow ? this->Window.HalfWidth : this->HalfWidth) / texels *
     (this->Light.Positional ? glm::distance(place, this->Light.PositionWC)
                             : 1.0 / this->SceneScale);
 }

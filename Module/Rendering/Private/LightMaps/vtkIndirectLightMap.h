@@ -16,6 +16,17 @@ public:
   void Fit(const vtkIndirectFrame& frame, const vtkIndirectLight& light);
 
   /**
+   * Chooses the window of a map whose texels are wider than the picture's pixels where the eye sees
+   * them: the part of the map that gains most, or none. texels: along an edge of the map and of the
+   * window.
+   */
+  void FitWindow(const vtkIndirectFrame& frame, int texels);
+  /** Returns true if the texels of the window are senders; a parallel map's are. */
+  bool HasSenderWindow() const { return this->Window.Layer >= 0 && !this->Light.Positional; }
+  /** Returns the view of the window. */
+  vtkIndirectDepthTile GetWindowView() const;
+
+  /**
    * Fits the depth range of a positional light's map to casters within bounds along the axes of the
    * light's frame. radius: of the light, from all whose points the casters are seen.
    */
@@ -27,7 +38,7 @@ public:
 
   /**
    * Returns a texel's width across the light, in world units, at a place, for this many texels
-   * along an edge.
+   * along an edge; of the window where the window holds the place.
    */
   double FindTexelAt(const glm::dvec3& place, int texels) const;
 

@@ -110,7 +110,8 @@ void vtkIndirectLightMaps::AddToReport(vtkIndirectReport& report) const
   {
     report.Modelled.emplace_back("light " + std::to_string(map.Light.Index),
       std::string(names[map.Projection]) + ", " + std::to_string(map.NumberOfFaces) + " of " +
-        std::to_string(this->GetTexels()) + " texels squared");
+        std::to_string(this->GetTexels()) + " texels squared" +
+        (map.Window.Layer < 0 ? "" : ", and a window of the part that the camera sees"));
   }
   if (this->GetTexels() < this->Resolution)
   {
@@ -135,6 +136,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   this->Guard->SetContext(frame.Window);
   this->Maps.clear();
   this->NumberOfLayers = 0;
+  this->NumberOfWindows = 0;
   int mostLayers = 0;
   frame.Window->GetState()->vtkglGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
   int tooMany = 0;
@@ -170,6 +172,18 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   {
     return true;
   }
+  // Windows come after all maps.
+  for (vtkIndirectLightMap& map : this->Maps)
+  {
+    const int layer = this->NumberOfLayers + this->NumberOfWindows;
+    if (plan.Shadows && layer < mostLayers)
+    {
+      map.FitWindow(frame, this->Texels);
+      map.Window.Layer = map.Window.HalfWidth > 0.0 ? layer : -1;
+      this->NumberOfWindows += map.Window.HalfWidth > 0.0 ? 1 : 0;
+    }
+  }
+  const int layers = this->NumberOfLayers + this->NumberOfWindows;
 
   vtkOpenGLState* state = frame.Window->GetState();
   vtkOpenGLState::ScopedglViewport viewport(state);
@@ -179,7 +193,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   bool lost = false;
   this->Target.SetNumberOfChannels(ChannelsOfDiffuse + (this->Specular ? 1 : 0));
-  if (!this->Target.Resize(frame.Window, this->Texels, this->NumberOfLayers, lost))
+  if (!this->Target.Resize(frame.Window, this->Texels, layers, lost))
   {
     this->Maps.clear();
     this->NumberOfLayers = 0;
@@ -193,18 +207,27 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
 
   struct ChangedFace
   {
-    const vtkIndirectDepthTile& View;
+    vtkIndirectDepthTile View;
     int Layer;
+    bool IsWindow;
     std::vector<const vtkIndirectCaster*> Casters;
   };
   std::vector<ChangedFace> changed;
+  std::vector<vtkIndirectKey> windowKeys;
   for (const vtkIndirectLightMap& map : this->Maps)
   {
-    for (int face = 0; face < map.NumberOfFaces; ++face)
+    const int windows = map.Window.Layer < 0 ? 0 : 1;
+    for (int face = 0; face < map.NumberOfFaces + windows; ++face)
     {
-      const vtkIndirectDepthTile& view = map.Faces[face];
+      const bool isWindow = face == map.NumberOfFaces;
+      const vtkIndirectDepthTile view = isWindow ? map.GetWindowView() : map.Faces[face];
       vtkIndirectKey key;
       map.AppendTo(key);
+      if (isWindow)
+      {
+        key.Add("window", map.Window.HalfWidth).Add("window", map.Window.Middle.x);
+        key.Add("window", map.Window.Middle.y);
+      }
       std::vector<const vtkIndirectCaster*> casters;
       for (const vtkIndirectCaster& caster : frame.Casters)
       {
@@ -214,14 +237,18 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
           casters.push_back(&caster);
         }
       }
-      const int layer = map.FirstLayer + face;
+      if (isWindow && map.HasSenderWindow())
+      {
+        windowKeys.push_back(key);
+      }
+      const int layer = isWindow ? map.Window.Layer : map.FirstLayer + face;
       vtkIndirectKey& last = this->Faces[layer];
       if (plan.Caching && last == key)
       {
         continue;
       }
       last = key;
-      changed.push_back({ view, layer, std::move(casters) });
+      changed.push_back({ view, layer, isWindow, std::move(casters) });
     }
   }
   // The view's programs compute all lights at each texel of each map.
@@ -240,9 +267,17 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     this->Target.End();
     this->StaleRows.insert(face.Layer);
     ++this->NumberOfFacesDrawn;
-    this->ContentTime.Modified();
+    if (!face.IsWindow)
+    {
+      this->ContentTime.Modified();
+    }
   }
   capture->SetOutputs(view);
+  if (lost || windowKeys != this->WindowKeys)
+  {
+    this->WindowKeys = std::move(windowKeys);
+    this->WindowTime.Modified();
+  }
   this->UpdateTable(frame);
   this->UpdateFresnel(frame);
   return true;
@@ -252,14 +287,18 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
 void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
 {
   using namespace vtkIndirectKernels;
-  std::vector<float> table(static_cast<size_t>(this->NumberOfLayers) * VTKI_MAP_TABLE_WIDTH * 4);
+  constexpr size_t rowSize = VTKI_MAP_TABLE_WIDTH * 4;
+  const size_t layers = static_cast<size_t>(this->NumberOfLayers + this->NumberOfWindows);
+  std::vector<float> table(layers * rowSize);
   for (const vtkIndirectLightMap& map : this->Maps)
   {
-    for (int face = 0; face < map.NumberOfFaces; ++face)
+    const int windows = map.HasSenderWindow() ? 1 : 0;
+    for (int face = 0; face < map.NumberOfFaces + windows; ++face)
     {
-      const int layer = map.FirstLayer + face;
+      const bool isWindow = face == map.NumberOfFaces;
+      const int layer = isWindow ? map.Window.Layer : map.FirstLayer + face;
       glm::vec4 row[VTKI_MAP_TABLE_WIDTH];
-      const glm::dmat4 toScene = map.Faces[face].GetToScene();
+      const glm::dmat4 toScene = (isWindow ? map.GetWindowView() : map.Faces[face]).GetToScene();
       const glm::dmat4 fromScene = glm::inverse(toScene);
       for (int r = 0; r < 3; ++r)
       {
@@ -272,7 +311,8 @@ void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
       const vtkIndirectLight& light = map.Light;
       const double s = frame.SceneScale;
       const bool cone = light.Positional && light.ConeAngle < 90.0;
-      row[VTKI_MAP_SHAPE] = glm::vec4(map.Projection, map.HalfWidth, this->Texels, light.Exponent);
+      row[VTKI_MAP_SHAPE] = glm::vec4(map.Projection,
+        isWindow ? map.Window.HalfWidth : map.HalfWidth, this->Texels, light.Exponent);
       row[VTKI_MAP_LIGHT] = glm::vec4(glm::vec3(light.Color), light.Index);
       // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
       row[VTKI_MAP_FALLOFF] =
@@ -287,10 +327,17 @@ void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
   {
     return;
   }
+  // A window's row tells nothing about the maps.
+  const auto ofMaps = static_cast<std::ptrdiff_t>(rowSize * this->NumberOfLayers);
+  if (this->TableTexture.IsEmpty() || this->NumberOfLayers != this->LayersOfTable ||
+    !std::equal(table.begin(), table.begin() + ofMaps, this->Table.begin()))
+  {
+    this->ContentTime.Modified();
+  }
+  this->LayersOfTable = this->NumberOfLayers;
   this->Table = table;
-  this->ContentTime.Modified();
   this->TableTexture.Set(frame.Window, vtkIndirectDataTexture::FLOATS, 4,
-    { VTKI_MAP_TABLE_WIDTH, this->NumberOfLayers, 0 }, this->Table.data());
+    { VTKI_MAP_TABLE_WIDTH, static_cast<int>(layers), 0 }, this->Table.data());
 }
 
 //------------------------------------------------------------------------------

@@ -39,8 +39,8 @@ public:
   static vtkIndirectLightMaps& Get(const vtkReflectiveShadowMapPass* pass);
 
   /**
-   * Brings the maps of the plan's lights up to date; resolution: texels along an edge. Returns
-   * false, after an error, when OpenGL cannot hold them.
+   * Brings the maps of the plan's lights up to date, and windows where the plan has shadows;
+   * resolution: texels along an edge. Returns false, after an error, when OpenGL cannot hold them.
    */
   bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
     vtkSurfaceCapturePass* capture, int resolution);
@@ -64,8 +64,10 @@ public:
    * Returns the texels along an edge in the last frame: the resolution, or less with many lights.
    */
   int GetTexels() const { return this->Texels; }
-  /** Grows whenever the content of a map, or the table below, changes. */
+  /** Grows whenever the content of a map, or its part of the table below, changes. */
   vtkMTimeType GetContentTime() const { return this->ContentTime.GetMTime(); }
+  /** Grows whenever the content of a window with senders changes, and when one comes or goes. */
+  vtkMTimeType GetWindowTime() const { return this->WindowTime.GetMTime(); }
 
   /** Binds the maps and their table for vtkIndirectMapTexel.glsl. */
   void Activate(const vtkIndirectProgram& program) const;
@@ -95,6 +97,8 @@ private:
   bool Specular = false;
   vtkIdType NumberOfFacesDrawn = 0;
   vtkTimeStamp ContentTime;
+  vtkTimeStamp WindowTime;
+  std::vector<vtkIndirectKey> WindowKeys; // the inputs of the windows with senders
   // Binding textures changes the objects that hold them.
   mutable vtkIndirectLayeredTarget Target;
   // Depths in the form of shadow look-ups: a texel holds two neighbours of a row, and the slopes of
@@ -103,9 +107,11 @@ private:
   vtkIndirectFullScreenProgram RowKernel{ this, "vtkIndirectShadowRowsFS.glsl" };
   std::set<int> StaleRows; // layers whose depths are newer than their rows
   std::vector<vtkIndirectLightMap> Maps;
-  int NumberOfLayers = 0;
+  int NumberOfLayers = 0;            // of maps
+  int NumberOfWindows = 0;           // the layers after those of maps
   std::vector<vtkIndirectKey> Faces; // the inputs of each layer's image; empty: not drawn
   std::vector<float> Table;
+  int LayersOfTable = 0; // of maps
   vtkIndirectDataTexture TableTexture{ this };
   vtkIndirectDataTexture FresnelTexture{ this }; // empty unless senders have lobes
   vtkSmartPointer<vtkIndirectContextGuard> Guard;

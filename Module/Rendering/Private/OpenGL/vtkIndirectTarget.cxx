@@ -404,6 +404,19 @@ std::vector<float> vtkIndirectTarget::ReadBack(int channel) const
 }
 
 //------------------------------------------------------------------------------
+std::vector<float> vtkIndirectTarget::ReadBackDepth() const
+{
+  std::vector<float> values(static_cast<size_t>(this->Width) * this->Height);
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->Bind();
+  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, this->Width, this->Height, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
+  state->PopFramebufferBindings();
+  return values;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectTarget::Write(int channel, const std::vector<float>& values, int row)
 {
   vtkTextureObject* texture = this->Textures[channel];

@@ -90,6 +90,8 @@ public:
 
   /** Reads a channel back, four floats a pixel, bottom row first. */
   std::vector<float> ReadBack(int channel) const;
+  /** Reads the depths back, a float a pixel. */
+  std::vector<float> ReadBackDepth() const;
 
   /** Replaces a channel's content from a row on: four floats a pixel, bottom row first. */
   void Write(int channel, const std::vector<float>& values, int row = 0);

@@ -33,6 +33,7 @@ void vtkIndirectBounceLight::AppendTo(vtkIndirectKey& key, const Input& input) c
   this->Samplers.AppendTo(key);
   const bool maps = input.Plan.Senders == vtkIndirectPlan::MAPS;
   key.Add("light maps", maps ? input.Maps.GetContentTime() : 0);
+  key.Add("windows of light maps", maps ? input.Maps.GetWindowTime() : 0);
 }
 
 //------------------------------------------------------------------------------

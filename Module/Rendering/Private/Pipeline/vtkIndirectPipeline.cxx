@@ -158,12 +158,21 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     vtkIndirectLightScope::Read(this->Frame.Renderer);
   }
   bool drawn = true;
-  if (this->Plan.Senders != vtkIndirectPlan::HEADLIGHT)
+  const bool maps = this->Plan.Senders != vtkIndirectPlan::HEADLIGHT;
+  const bool skyMaps = this->Plan.Sky && this->Plan.SkySource == vtkIndirectPlan::SKY_BY_MAPS;
+  if (maps || skyMaps)
   {
     this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
-    drawn =
-      this->Maps.Update(this->Frame, this->Plan, this->Capture, this->MapsPass->GetResolution());
-    if (drawn && this->Plan.Shadows)
+    if (this->Plan.Shadows || skyMaps)
+    {
+      drawn = this->ViewSamples.Update(this->Frame, this->Capture);
+    }
+    if (drawn && maps)
+    {
+      drawn =
+        this->Maps.Update(this->Frame, this->Plan, this->Capture, this->MapsPass->GetResolution());
+    }
+    if (drawn && maps && this->Plan.Shadows)
     {
       drawn = this->Penumbra.Update(this->Frame, this->Maps, this->Capture);
     }

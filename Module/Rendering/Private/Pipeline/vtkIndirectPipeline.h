@@ -27,6 +27,7 @@
 #include "VirtualLights/vtkIndirectSkyProjection.h" // for members
 #include "Visibility/vtkIndirectDepthMaps.h"        // for members
 #include "Visibility/vtkIndirectPenumbra.h"         // for members
+#include "Visibility/vtkIndirectViewSamples.h"      // for a member
 #include "vtkAreaLight.h"                           // for members
 #include "vtkEnvironmentLight.h"                    // for members
 #include "vtkIndirectEstimatorPass.h"               // for members
@@ -147,6 +148,7 @@ private:
   vtkIndirectLightMaps& Maps = vtkIndirectLightMaps::Get(this->MapsPass);
   vtkNew<vtkSurfaceCapturePass> Capture;
   vtkIndirectDepthMaps DepthMaps;
+  vtkIndirectViewSamples ViewSamples{ DepthMaps };
   vtkIndirectPenumbra Penumbra{ this, DepthMaps }; // penumbrae of the maps' lights
   vtkIndirectGeometryBuffer Geometry{ this };
   vtkIndirectCreases Creases{ this };

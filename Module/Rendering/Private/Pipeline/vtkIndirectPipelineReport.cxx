@@ -49,7 +49,7 @@ void vtkIndirectPipeline::AddSettings(vtkIndirectSettingList& list,
 }
 
 //------------------------------------------------------------------------------
-// Reports maps with coarse texels. Maps hold all casters, however little of them the eye sees.
+// Reports maps with coarse texels where the camera looks.
 void vtkIndirectPipeline::AddCoarseMapsToReport(vtkIndirectReport& report) const
 {
   // Share of the picture's height: wider steps at the edges of shadows are visible.

@@ -22,6 +22,8 @@ public:
    */
   void SetMostLights(size_t count) { this->MostLights = count; }
 
+  bool TakesWindows() const override { return true; }
+
   void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override
   {
     size_t all = 0;

@@ -23,7 +23,8 @@ using Drawing = vtkIndirectMapSampler::Drawing;
 
 // Makes the sources that samples take shares of: the faces of the maps, or the charts that samples
 // are warped in, by their numbers. There is a chart for each light, or chart -1 for all of them.
-std::vector<Source> MakeSources(const vtkIndirectLightMaps& maps, const Drawing& drawing)
+std::vector<Source> MakeSources(
+  const vtkIndirectLightMaps& maps, const Drawing& drawing, bool windows)
 {
   std::vector<Source> sources;
   const int count = maps.GetNumberOfMaps();
@@ -55,6 +56,17 @@ std::vector<Source> MakeSources(const vtkIndirectLightMaps& maps, const Drawing&
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
       source.Layer = map.FirstLayer + face;
+      sources.push_back(source);
+    }
+  }
+  for (int i = 0; windows && i < count; ++i)
+  {
+    if (maps.GetMap(i).HasSenderWindow())
+    {
+      Source source;
+      source.Light = i;
+      source.Layer = maps.GetMap(i).Window.Layer;
+      source.Size[0] = source.Size[1] = maps.GetTexels();
       sources.push_back(source);
     }
   }
@@ -98,7 +110,7 @@ bool vtkIndirectMapSampler::Update(const Input& input)
   const vtkIndirectLightMaps& maps = input.Maps;
   vtkOpenGLRenderWindow* window = input.Frame.Window;
   const Drawing drawing = this->GetDrawing();
-  const std::vector<Source> sources = MakeSources(maps, drawing);
+  const std::vector<Source> sources = MakeSources(maps, drawing, this->TakesWindows());
   const bool changed = in.Pattern.Update(window, *this, sources);
   if (!changed && in.MapTime == maps.GetContentTime())
   {

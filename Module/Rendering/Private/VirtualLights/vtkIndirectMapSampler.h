@@ -54,6 +54,12 @@ public:
    */
   virtual void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) = 0;
 
+  /**
+   * Returns true if windows of parallel maps are sources too, after all faces; the default is
+   * false.
+   */
+  virtual bool TakesWindows() const { return false; }
+
   /** Says how the pattern's places are warped, so that more of them lie where more light comes
    * from. */
   struct Drawing

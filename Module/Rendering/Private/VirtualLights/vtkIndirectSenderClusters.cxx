@@ -2,7 +2,6 @@
 #include "VirtualLights/vtkIndirectSenderClusters.h"
 
 #include "OpenGL/vtkIndirectKernels.h"
-#include "VirtualLights/vtkIndirectDirections.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -121,45 +120,6 @@ std::vector<double> FindWeights(const std::vector<glm::dvec3>& strengths)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderClusters::RemoveOutermost(
-  std::vector<Sender>& senders, const std::vector<glm::vec3>& places)
-{
-  // Finds corners of the hull: the farthest places in these directions. Round hulls lose little by
-  // that, boxes nothing.
-  constexpr int directions = 128;
-  std::vector<glm::vec3> corners;
-  for (const glm::dvec3& exact : vtkIndirectDirections::MakeLattice(directions))
-  {
-    const glm::vec3 direction(exact);
-    float farthest = 0.0f;
-    const glm::vec3* corner = nullptr;
-    for (const glm::vec3& place : places)
-    {
-      const float distance = glm::dot(place, direction);
-      if (!corner || distance > farthest)
-      {
-        farthest = distance;
-        corner = &place;
-      }
-    }
-    if (corner)
-    {
-      corners.push_back(*corner);
-    }
-  }
-  // The rounding of packed normals, along a scene of length one.
-  constexpr float rounding = 2.6e-4f;
-  const auto outermost = std::remove_if(senders.begin(), senders.end(),
-    [&](const Sender& sender)
-    {
-      const float height = glm::dot(sender.Normal, sender.Position) + rounding;
-      return std::none_of(corners.begin(), corners.end(),
-        [&](const glm::vec3& corner) { return glm::dot(sender.Normal, corner) > height; });
-    });
-  senders.erase(outermost, senders.end());
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSenderClusters::SetSenders(std::vector<Sender> senders)
 {
   this->Senders = std::move(senders);
@@ -167,6 +127,16 @@ void vtkIndirectSenderClusters::SetSenders(std::vector<Sender> senders)
   this->Entries.clear();
   this->Clusters.clear();
   this->Count = 0;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSenderClusters::SetSeen(const vtkIndirectSeenBox& seen)
+{
+  if (!(seen == this->Seen))
+  {
+    this->Seen = seen;
+    this->Weights.clear(); // divides again
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -211,6 +181,7 @@ vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
       cluster.Axis = axis;
     }
   }
+  cluster.Width *= this->Seen.FindImportance({ cluster.Mean[0], cluster.Mean[1], cluster.Mean[2] });
   // The border lies a little beyond the mean, where no rows of texels end.
   cluster.Border = cluster.Mean[cluster.Axis] + Margin * std::sqrt(widest / total);
   // The order has steps of a hundredth; the odd offset moves usual values of the logarithm off the
@@ -275,9 +246,14 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
   double total = 0.0;
   for (size_t i = begin; i < end; ++i)
   {
-    total += this->Entries[i].Weight;
+    const Entry& entry = this->Entries[i];
+    const glm::dvec3 place(entry.Coordinates[0], entry.Coordinates[1], entry.Coordinates[2]);
+    total += entry.Weight * this->Seen.FindImportance(place);
   }
-  const double enough = this->Nearness * this->Nearness * total;
+  // The part that is seen counts as a scene of its own.
+  const double nearness =
+    this->Nearness * (this->Seen.IsPart ? 2.0 * glm::length(this->Seen.Half) : 1.0);
+  const double enough = nearness * nearness * total;
   double width = clusters.front().Width;
   while (!queue.empty() && clusters.size() < most && (clusters.size() < least || width > enough))
   {

@@ -12,6 +12,8 @@
 // virtual light, so data that are kept by the lights' places stay valid.
 #pragma once
 
+#include "Frame/vtkIndirectSeen.h" // for the part that is seen
+
 #include <cstddef>     // for size_t
 #include <cstdint>     // for numbers of senders
 #include <glm/glm.hpp> // for vectors
@@ -58,13 +60,9 @@ public:
     glm::dvec3 LobeDensityArea{ 0.0 };
   };
 
-  /**
-   * Leaves out the senders that no surface can face: those on the outside of the convex hull of all
-   * places, such as the underside of a ground.
-   */
-  static void RemoveOutermost(std::vector<Sender>& senders, const std::vector<glm::vec3>& places);
-
   void SetSenders(std::vector<Sender> senders);
+  /** Sets the part of the scene whose receivers count: lights near it are finer. */
+  void SetSeen(const vtkIndirectSeenBox& seen);
   const std::vector<Sender>& GetSenders() const { return this->Senders; }
   size_t GetNumberOfSenders() const { return this->Senders.size(); }
 
@@ -137,7 +135,7 @@ private:
     int Axis = 0;        // axis along which it is widest
     double Border = 0.0; // place along Axis at which it is divided
     double Order = 0.0;  // rank of its width: larger ones are divided first
-    double Width = 0.0;  // light times squared distance from the mean
+    double Width = 0.0;  // light times squared distance from the mean, times the importance
     double Spread = 0.0; // mean squared distance of the light's places from their mean
   };
 
@@ -155,6 +153,7 @@ private:
     size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all);
 
   std::vector<Sender> Senders;
+  vtkIndirectSeenBox Seen;
   std::vector<double> Weights; // weights of maps
   int Count = 0;
   size_t Least = 1;

@@ -148,7 +148,7 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
   // Receivers that cast no shadows are missing from the maps.
   if (input.Frame.NumberOfOtherReceivers == 0)
   {
-    vtkIndirectSenderClusters::RemoveOutermost(senders, places);
+    vtkIndirectSenderTexels::RemoveOutermost(senders, places);
   }
   this->Clusters.SetSenders(std::move(senders));
   return true;
@@ -167,7 +167,8 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     }
     this->SendersTime = this->Maps.GetContentTime();
   }
-  else if (this->MadeTime == this->SourceTime && this->MadeCount == this->NumberOfLights)
+  else if (this->MadeTime == this->SourceTime && this->MadeCount == this->NumberOfLights &&
+    this->MadeSeen == input.Frame.Seen.Box)
   {
     return true;
   }
@@ -178,6 +179,8 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     strengths.push_back(emitter.Color);
   }
   const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
+  this->MadeSeen = input.Frame.Seen.Box;
+  this->Clusters.SetSeen(this->MadeSeen);
   const vtkIndirectSenderClusters::LightTree lights =
     this->Clusters.MakeLights(strengths, this->NumberOfLights, this->Divides ? error : 0.0);
   if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Lights),

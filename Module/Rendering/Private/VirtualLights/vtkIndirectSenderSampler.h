@@ -77,4 +77,5 @@ private:
   // These numbers identify the inputs of the lights.
   size_t MadeTime = 0;
   int MadeCount = 0;
+  vtkIndirectSeenBox MadeSeen;
 };

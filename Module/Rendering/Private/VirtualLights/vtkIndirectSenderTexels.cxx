@@ -4,7 +4,10 @@
 #include "VirtualLights/vtkIndirectSenderTexels.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "LightMaps/vtkIndirectLightMap.h"
+#include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "VirtualLights/vtkIndirectDirections.h"
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
@@ -29,12 +32,41 @@ bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
     lobes ? lobes->ReadBack(vtkIndirectSampler::LobeDirectionExponent) : std::vector<float>();
   const std::vector<float> flux =
     lobes ? lobes->ReadBack(vtkIndirectSampler::LobeDensityArea) : std::vector<float>();
+  // Texels of windows come last. They replace the texels of their maps.
+  struct Window
+  {
+    vtkIndirectDepthTile View;
+    int Light;
+  };
+  std::vector<Window> windows;
+  for (int i = 0; i < input.Maps.GetNumberOfMaps(); ++i)
+  {
+    const vtkIndirectLightMap& map = input.Maps.GetMap(i);
+    if (map.HasSenderWindow())
+    {
+      windows.push_back({ map.GetWindowView(), map.Light.Index });
+    }
+  }
+  const size_t faces = static_cast<size_t>(input.Maps.GetNumberOfLayers());
+  const size_t ofMaps = count / std::max<size_t>(faces + windows.size(), 1) * faces;
   for (size_t i = 0; i < count; ++i)
   {
     const float* p = &position[4 * i];
     const float* n = &normal[4 * i];
     const float* d = &density[4 * i];
     const glm::vec3 place(p[0], p[1], p[2]);
+    const bool replaced = i < ofMaps &&
+      std::any_of(windows.begin(), windows.end(),
+        [&](const Window& window)
+        {
+          const glm::dvec2 at = glm::abs(glm::dvec2(window.View.ToView(glm::dvec3(place))));
+          return window.Light == static_cast<int>(d[3]) &&
+            glm::all(glm::lessThanEqual(at, window.View.HalfWidth));
+        });
+    if (replaced)
+    {
+      continue;
+    }
     if (place != glm::vec3(0.0f)) // empty texels hold the scene's centre
     {
       places.push_back(place);
@@ -57,6 +89,45 @@ bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
   }
   this->Texels.Release(input.Frame.Window);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSenderTexels::RemoveOutermost(
+  std::vector<vtkIndirectSenderClusters::Sender>& senders, const std::vector<glm::vec3>& places)
+{
+  // Finds corners of the hull: the farthest places in these directions. Round hulls lose little by
+  // that, boxes nothing.
+  constexpr int directions = 128;
+  std::vector<glm::vec3> corners;
+  for (const glm::dvec3& exact : vtkIndirectDirections::MakeLattice(directions))
+  {
+    const glm::vec3 direction(exact);
+    float farthest = 0.0f;
+    const glm::vec3* corner = nullptr;
+    for (const glm::vec3& place : places)
+    {
+      const float distance = glm::dot(place, direction);
+      if (!corner || distance > farthest)
+      {
+        farthest = distance;
+        corner = &place;
+      }
+    }
+    if (corner)
+    {
+      corners.push_back(*corner);
+    }
+  }
+  // The rounding of packed normals, along a scene of length one.
+  constexpr float rounding = 2.6e-4f;
+  const auto outermost = std::remove_if(senders.begin(), senders.end(),
+    [&](const vtkIndirectSenderClusters::Sender& sender)
+    {
+      const float height = glm::dot(sender.Normal, sender.Position) + rounding;
+      return std::none_of(corners.begin(), corners.end(),
+        [&](const glm::vec3& corner) { return glm::dot(sender.Normal, corner) > height; });
+    });
+  senders.erase(outermost, senders.end());
 }
 
 //------------------------------------------------------------------------------

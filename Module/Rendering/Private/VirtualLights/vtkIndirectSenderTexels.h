@@ -23,6 +23,13 @@ public:
   bool Read(const vtkIndirectSampler::Input& input,
     std::vector<vtkIndirectSenderClusters::Sender>& senders, std::vector<glm::vec3>& places);
 
+  /**
+   * Leaves out the senders that no surface can face: those on the outside of the convex hull of all
+   * places, such as the underside of a ground.
+   */
+  static void RemoveOutermost(
+    std::vector<vtkIndirectSenderClusters::Sender>& senders, const std::vector<glm::vec3>& places);
+
   /** Converts the lights to rows of a sampler's table. */
   static std::vector<vtkIndirectSampler::Row> MakeRows(
     const std::vector<vtkIndirectSenderClusters::Light>& lights);

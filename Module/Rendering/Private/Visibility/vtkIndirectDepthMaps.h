@@ -24,6 +24,7 @@ public:
   /** These are the clients, in the order in which a frame draws their maps. */
   enum ClientType
   {
+    EYE,       // what the eye sees; see vtkIndirectViewSamples
     PENUMBRAE, // points of lights that have a size
     VIRTUAL_LIGHTS,
     STRONG_SKY, // directions with much of the sky's light
@@ -79,7 +80,7 @@ private:
 
   std::vector<vtkIndirectDepthAtlas::Bounds> FindChanges(const vtkIndirectFrame& frame);
 
-  Client Clients[NUMBER_OF_CLIENTS]{ Client("lights that have a size"),
+  Client Clients[NUMBER_OF_CLIENTS]{ Client(nullptr), Client("lights that have a size"),
     Client("virtual lights", true), Client("strong directions of the sky"),
     Client("directions of the sky"), Client("points of area lights", true), Client(nullptr, true) };
   size_t NumberOfTilesDrawn = 0;

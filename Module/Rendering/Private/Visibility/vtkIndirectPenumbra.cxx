@@ -132,13 +132,22 @@ void FitDirectional(
   {
     axes.push_back(FindAxesOfPoint(rotation, glm::vec2(sine * glm::dvec2(point))));
   }
+  const vtkIndirectSeenBox& seen = frame.Seen.Box;
+  const glm::dvec3 middle = seen.IsPart ? seen.Middle : glm::dvec3(0.0);
   glm::dvec3 half(0.0);
+  glm::dvec2 reach(0.0); // of the part that is seen
   for (const glm::dmat3& to : axes)
   {
-    for (const glm::dvec3& p : frame.FindCorners(to, glm::dvec3(0.0)))
+    for (const glm::dvec3& p : frame.FindCorners(to, middle))
     {
       half = glm::max(half, glm::abs(p));
     }
+    reach = glm::max(reach,
+      glm::dvec2(glm::dot(glm::abs(to[0]), seen.Half), glm::dot(glm::abs(to[1]), seen.Half)));
+  }
+  if (seen.IsPart)
+  {
+    half = glm::min(half, glm::dvec3(reach, half.z));
   }
   // A margin keeps the outermost points off the edge, and a flat scene gets an extent, too.
   constexpr double margin = 1.01;
@@ -146,7 +155,7 @@ void FitDirectional(
   map.HalfWidth = (margin + VTKI_LIGHT_SHIFT) * std::max({ half.x, half.y, 1e-3 * half.z });
   const double depth = std::max(margin * half.z, 1e-3 * map.HalfWidth);
   map.Far = 2.0 * depth;
-  map.WorldToLight[3] = glm::dvec4(-(glm::transpose(rotation) * frame.SceneCenter), 1.0);
+  map.WorldToLight[3] = glm::dvec4(-(glm::transpose(rotation) * frame.ToWorld(middle)), 1.0);
   fit.Map.Size = sine;
   // The blocker lies a quarter of the scene's depth above the receiver; `depth` is half of the
   // scene's depth.
@@ -154,7 +163,7 @@ void FitDirectional(
   const double shift = VTKI_LIGHT_SHIFT * map.HalfWidth;
   for (size_t i = 0; i < points.size(); ++i)
   {
-    const glm::dvec3 place = axes[i] * glm::dvec3(shift * glm::dvec2(points[i]), depth);
+    const glm::dvec3 place = middle + axes[i] * glm::dvec3(shift * glm::dvec2(points[i]), depth);
     fit.Tiles.push_back(vtkIndirectLightMap::MakeFace(map, axes[i], place, 0));
   }
 }

@@ -33,6 +33,10 @@ constexpr double Clearance = 1e-6;
 constexpr double LeastCosineToLight = 1e-4;
 constexpr double LeastFacetCosine = 1e-2;
 
+// The rectangle around the part that the eye sees is this many times as wide: surfaces around the
+// part send light into it.
+constexpr double ReachOfPart = 2.0;
+
 // The number of nearest vertices that give the density of vertices.
 constexpr int Neighbors = 8;
 
@@ -210,6 +214,10 @@ private:
   glm::dvec3 U{ 1.0, 0.0, 0.0 };
   glm::dvec3 V{ 0.0, 1.0, 0.0 };
   glm::dvec2 HalfWidths{ 1.0 };
+  // Half of the rays of a directional light start in the rectangle around the part that is seen.
+  bool IsPart = false;
+  glm::dvec2 LowerOfPart{ 0.0 };
+  glm::dvec2 UpperOfPart{ 0.0 };
   double CosCone = -1.0; // cosine of the cone that rays fill
   double Exponent = 0.0; // exponent of the cosine in the rays' density
 };
@@ -241,6 +249,14 @@ vtkIndirectRandomWalk::Emission::Emission(
     this->HalfWidths = glm::max(this->HalfWidths,
       glm::dvec2(1e-3 * std::max({ this->HalfWidths.x, this->HalfWidths.y, 1e-3 })));
     this->Origin = middle - 1.01 * (glm::dot(half, glm::abs(this->Axis)) + 1e-3) * this->Axis;
+    const vtkIndirectSeenBox& seen = frame.Seen.Box;
+    const glm::dvec2 at(
+      glm::dot(seen.Middle - middle, this->U), glm::dot(seen.Middle - middle, this->V));
+    const glm::dvec2 reach(
+      glm::dot(seen.Half, glm::abs(this->U)), glm::dot(seen.Half, glm::abs(this->V)));
+    this->LowerOfPart = glm::max(at - ReachOfPart * reach, -this->HalfWidths);
+    this->UpperOfPart = glm::min(at + ReachOfPart * reach, this->HalfWidths);
+    this->IsPart = seen.IsPart && glm::all(glm::lessThan(this->LowerOfPart, this->UpperOfPart));
     return;
   }
   this->Origin = frame.ToScene(this->Light.PositionWC);
@@ -271,10 +287,20 @@ void vtkIndirectRandomWalk::Emission::MakeRay(
 {
   if (!this->Light.Positional)
   {
-    const glm::dvec2 p = (2.0 * at - 1.0) * this->HalfWidths;
+    glm::dvec2 p = (2.0 * at - 1.0) * this->HalfWidths;
+    footprint = 4.0 * this->HalfWidths.x * this->HalfWidths.y;
+    if (this->IsPart)
+    {
+      const glm::dvec2 size = this->UpperOfPart - this->LowerOfPart;
+      const bool first = at.x < 0.5;
+      p = first ? this->LowerOfPart + glm::dvec2(2.0 * at.x, at.y) * size
+                : (glm::dvec2(4.0 * at.x - 3.0, 2.0 * at.y - 1.0)) * this->HalfWidths;
+      const bool within = glm::all(glm::greaterThanEqual(p, this->LowerOfPart)) &&
+        glm::all(glm::lessThanEqual(p, this->UpperOfPart));
+      footprint = 1.0 / (0.5 / footprint + (within ? 0.5 / (size.x * size.y) : 0.0));
+    }
     start = this->Origin + p.x * this->U + p.y * this->V;
     direction = this->Axis;
-    footprint = 4.0 * this->HalfWidths.x * this->HalfWidths.y;
     return;
   }
   // The density goes by the power of the cosine: its integral from the cone's border is uniform in

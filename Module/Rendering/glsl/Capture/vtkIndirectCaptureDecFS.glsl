@@ -100,11 +100,12 @@ vec3 vtkiLeaveFacets(mat3x4 viewToLight, bool parallel, vec3 p, vec3 facet)
 // Returns a light's visibility from a position that the eye sees. viewToLight: its columns are the
 // rows of the matrix from view coordinates to the light's frame in scene units; map: first layer
 // (-1: none), projection, half width, texels; depthRange: near, far, shadow strength, number of
-// layers; projection: of the light's map, VTKI_MAP_FACES where only the map knows whether it has
+// layers; window: middle, half width (-1: none) and layer of a finer image of a part of the map, in
+// tangents or scene units; projection: of the light's map, VTKI_MAP_FACES where only the map knows whether it has
 // several faces. The projection is a literal, so that the compiler drops code for other kinds of
 // light.
-float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projection, vec3 positionVC,
-  vec3 normalVC, vec3 facetNormalVC)
+float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, vec4 window, int projection,
+  vec3 positionVC, vec3 normalVC, vec3 facetNormalVC)
 {
   if (vtkiStage != 0 || map.x < 0.0f)
   {
@@ -133,15 +134,20 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   {
     return 1.0f;
   }
-  vec2 ndc = p.xy / (parallel ? map.z : depth * map.z);
+  vec2 there = p.xy / (parallel ? 1.0f : depth);
+  vec2 ndc = there / map.z;
   // Where two faces meet, a GPU's division may put a position beyond either.
   if (max(abs(ndc.x), abs(ndc.y)) > 1.00001f)
   {
     return 1.0f;
   }
+  vec2 inWindow = (there - window.xy) / window.z;
+  bool windowed = window.z > 0.0f && max(abs(inWindow.x), abs(inWindow.y)) < 1.0f - 2.0f / map.w;
+  ndc = windowed ? inWindow : ndc;
+  float halfWidth = windowed ? window.z : map.z;
   // The map has drawn the facet. Where the facet faces away from the light and the interpolated
   // normal does not, only that normal tells how the curved surface runs.
-  float texel = 2.0f * map.z / map.w;
+  float texel = 2.0f * halfWidth / map.w;
   vtkiShadowPlane plane;
   plane.turned = !((parallel ? facet.z : -dot(facet, p)) > 0.0f);
   plane.facet = vtkiPlaneDepthGradient(
@@ -165,21 +171,21 @@ float vtkiVisibility(mat3x4 viewToLight, vec4 map, vec4 depthRange, int projecti
   vec2 at = (0.5f * ndc + 0.5f) * map.w - 0.5f;
   vec2 first = clamp(floor(at), vec2(0.0f), vec2(max(map.w - 2.0f, 0.0f)));
   vec2 fraction = clamp(at - first, vec2(0.0f), vec2(1.0f));
-  float layer = map.x + float(face);
+  float layer = windowed ? window.w : map.x + float(face);
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
   vec2 place = (first + 0.5f) / map.w;
   vec4 row = textureLod(vtkiShadowMaps, vec3(place, layer), 0.0f);
   vec4 next = textureLod(vtkiShadowMaps, vec3(place.x, place.y + 1.0f / map.w, layer), 0.0f);
   vec4 depths = vec4(row.xy, next.xy);
   vec4 slopes = vec4(row.zw, next.zw);
-  vec4 there = plane.reference + gradient.x * (first.x - at.x + vec4(0.0f, 1.0f, 0.0f, 1.0f)) +
+  vec4 planes = plane.reference + gradient.x * (first.x - at.x + vec4(0.0f, 1.0f, 0.0f, 1.0f)) +
     gradient.y * (first.y - at.y + vec4(0.0f, 0.0f, 1.0f, 1.0f));
   // A surface that meets the receiver's plane at the receiver rises less than the bias over it.
-  bool ended = any(lessThan(depths, there - rounding)) &&
-    any(greaterThan(depths, there + vtkiMostBehind(plane)));
-  bool asked = plane.turned || ended || any(lessThan(depths, min(there - plane.bias, vec4(1.0f))));
+  bool ended = any(lessThan(depths, planes - rounding)) &&
+    any(greaterThan(depths, planes + vtkiMostBehind(plane)));
+  bool asked = plane.turned || ended || any(lessThan(depths, min(planes - plane.bias, vec4(1.0f))));
   bool deep = all(
-    lessThan(depths, min(there, vec4(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
+    lessThan(depths, min(planes, vec4(plane.reference)) - VTKI_SHADOW_CONTACT * length1));
   // If texels differ, and at contact, their planes decide. A loop, not a branch: OpenGL on the
   // processor takes both sides of a branch, and at least one step of a loop.
   vtkiShadowVotes votes = vtkiBeginShadow();
