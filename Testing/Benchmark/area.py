@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Cost of area lights while somebody drags, beside VTK's own ambient occlusion.
 
-    Testing/Benchmark/area.py [--size WxH] [--rounds N] [--json FILE] [MIX ...]
+    Testing/Benchmark/area.py [--size WxH] [--rounds N] [--bounces N] [--json FILE] [MIX ...]
 
 A mix names lamps: `c` of one radiance, `t` an image of 256 x 256, `v` a video of 512 x 512 whose
 picture changes in every frame; "-" after it leaves shadows out. The camera turns at the rate that
@@ -87,6 +87,7 @@ class Measured:
         size: tuple[int, int],
         mix: str | None,
         make: Callable[[str, int], Any] = make_lamp,
+        bounces: int = 0,
     ) -> None:
         self.scene: Scene = load_scene(SCENE)
         self.scene.size = size
@@ -106,7 +107,9 @@ class Measured:
         self.window = self.scene.make_window()
         self.window.SetDesiredUpdateRate(frames.INTERACTIVE_RATE)
         if mix is not None:
-            self.indirect = methods.enable(self.scene.renderer, lighting="scene")
+            self.indirect = methods.enable(
+                self.scene.renderer, lighting="scene", NumberOfBounces=bounces
+            )
             if "-" in mix:
                 self.indirect.SetVisibilityToNone()
             for number, kind in enumerate(mix.replace("-", "")):
@@ -146,13 +149,15 @@ class Measured:
         return {name: times["median_ms"] for name, times in found.items()}
 
 
-def measure(size: tuple[int, int], mixes: Sequence[str], rounds: int) -> dict[str, Any]:
+def measure(
+    size: tuple[int, int], mixes: Sequence[str], rounds: int, bounces: int = 0
+) -> dict[str, Any]:
     """Measure all, a frame of each in turn."""
     plain, occluded = Measured(size, None), Measured(size, None)
     ssao.set_up(occluded.scene.renderer)
     occluded.scene.renderer.UseSSAOOn()
     all_of_them = {"plain": plain, "ssao": occluded}
-    all_of_them.update({mix: Measured(size, mix) for mix in mixes})
+    all_of_them.update({mix: Measured(size, mix, bounces=bounces) for mix in mixes})
     for one in all_of_them.values():
         one.fill()
         one.processor.clear()
@@ -186,10 +191,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("mixes", nargs="*", metavar="MIX", default=MIXES)
     parser.add_argument("--size", default="x".join(map(str, SIZE)))
     parser.add_argument("--rounds", type=int, default=ROUNDS)
+    parser.add_argument("--bounces", type=int, default=0, help="0: all (default)")
     parser.add_argument("--json", type=Path, metavar="FILE")
     options = parser.parse_args(arguments)
     width, height = map(int, options.size.split("x"))
-    result = measure((width, height), options.mixes or MIXES, options.rounds)
+    result = measure((width, height), options.mixes or MIXES, options.rounds, options.bounces)
     print(
         f"plain {result['plain_ms']:.0f} ms, UseSSAO adds {result['ssao_ms']:.0f} ms, "
         f"{result['ssao_processor_ms']:.0f} of processors"
