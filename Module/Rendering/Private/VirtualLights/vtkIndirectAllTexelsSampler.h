@@ -22,7 +22,12 @@ public:
    */
   void SetMostLights(size_t count) { this->MostLights = count; }
 
-  bool TakesWindows() const override { return true; }
+  /**
+   * Adds the texels of windows, which show a part of their maps again: the caller drops one of
+   * both. Default off.
+   */
+  void SetWindows(bool windows) { this->Windows = windows; }
+  bool TakesWindows() const override { return this->Windows; }
 
   void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) override
   {
@@ -58,4 +63,5 @@ public:
 
 private:
   size_t MostLights = static_cast<size_t>(-1);
+  bool Windows = false;
 };
