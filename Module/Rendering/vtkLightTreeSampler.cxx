@@ -59,7 +59,6 @@ private:
   vtkMTimeType MapTime = 0;
   vtkMTimeType WindowTime = 0;
   int Count = 0;
-  vtkIndirectSeenBox Seen;
   bool Automatic = false;
   double Error = 0.0;
 };
@@ -112,7 +111,7 @@ bool TreeLights::Update(const Input& input)
     automatic && input.Interactive ? std::min(this->Set.GetNumberOfLights(), MostLights) : wanted;
   // While only the camera moves, the lights of a still picture are kept.
   const bool enough = this->Count == most || this->Count == wanted;
-  const bool seen = this->Seen == input.Frame.Seen.Box || input.Interactive;
+  const bool seen = this->Clusters.GetSeen() == input.Frame.Seen.Box || input.Interactive;
   if (same && enough && seen && this->Automatic == automatic && this->Error == error)
   {
     return true;
@@ -150,8 +149,7 @@ bool TreeLights::Update(const Input& input)
     this->Clusters.SetSenders(std::move(senders));
     this->FurtherTime = furtherTime;
   }
-  this->Seen = input.Frame.Seen.Box;
-  this->Clusters.SetSeen(this->Seen);
+  this->Clusters.SetSeen(input.Frame.Seen.Box);
   const vtkIndirectSenderClusters::LightTree lights = this->Clusters.MakeLights(
     std::vector<glm::dvec3>(this->Sources + this->FurtherMaps, glm::dvec3(1.0)), most, error,
     further ? vtkIndirectSenderClusters::NearnessOfBounces

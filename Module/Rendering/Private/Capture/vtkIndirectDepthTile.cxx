@@ -197,12 +197,12 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
       upper[axis] = std::max(upper[axis], corners[i][axis]);
     }
   }
-  // Nobody sees receivers beyond the box.
+  // The eye sees no receiver beyond the box, so the tile ends there.
   const vtkIndirectSeenBox& seen = frame.Seen.Box;
   for (int axis = 0; seen.IsPart && axis < 2; ++axis)
   {
     const double middle = glm::dot(axes[axis], seen.Middle - tile.Place);
-    const double reach = glm::dot(glm::abs(axes[axis]), seen.Half);
+    const double reach = seen.FindReach(axes[axis]);
     lower[axis] = glm::clamp(lower[axis], middle - reach, middle + reach);
     upper[axis] = glm::clamp(upper[axis], middle - reach, middle + reach);
   }

@@ -43,7 +43,9 @@ struct vtkIndirectInterval
   }
 };
 
-/** A box around all that the eye sees, where its largest side is an eighth of the scene's, or less.
+/**
+ * A box around all that the eye sees. It counts where its largest side has an eighth of the area of
+ * the scene's largest side, or less.
  */
 struct vtkIndirectSeenBox
 {
@@ -63,6 +65,8 @@ struct vtkIndirectSeenBox
     const double ratio = glm::dot(beside, beside) / glm::dot(this->Half, this->Half);
     return this->IsPart ? 1.0 / ((1.0 + ratio) * (1.0 + ratio)) : 1.0;
   }
+  /** Returns how far the box reaches from its middle along a unit axis. */
+  double FindReach(const glm::dvec3& axis) const { return glm::dot(glm::abs(axis), this->Half); }
   void AppendTo(vtkIndirectKey& key) const
   {
     if (this->IsPart)

@@ -176,7 +176,10 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   for (vtkIndirectLightMap& map : this->Maps)
   {
     const int layer = this->NumberOfLayers + this->NumberOfWindows;
-    if (plan.Shadows && layer < mostLayers)
+    // No stage reads the window of a positional light with a size: shadows come from its penumbra,
+    // and senders from its map.
+    const bool isRead = map.Light.Size == 0.0 || !map.Light.Positional;
+    if (plan.Shadows && isRead && layer < mostLayers)
     {
       map.FitWindow(frame, this->Texels);
       map.Window.Layer = map.Window.HalfWidth > 0.0 ? layer : -1;

@@ -63,6 +63,7 @@ public:
   void SetSenders(std::vector<Sender> senders);
   /** Sets the part of the scene whose receivers count: lights near it are finer. */
   void SetSeen(const vtkIndirectSeenBox& seen);
+  const vtkIndirectSeenBox& GetSeen() const { return this->Seen; }
   const std::vector<Sender>& GetSenders() const { return this->Senders; }
   size_t GetNumberOfSenders() const { return this->Senders.size(); }
 

@@ -168,7 +168,7 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     this->SendersTime = this->Maps.GetContentTime();
   }
   else if (this->MadeTime == this->SourceTime && this->MadeCount == this->NumberOfLights &&
-    this->MadeSeen == input.Frame.Seen.Box)
+    this->Clusters.GetSeen() == input.Frame.Seen.Box)
   {
     return true;
   }
@@ -179,8 +179,7 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     strengths.push_back(emitter.Color);
   }
   const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
-  this->MadeSeen = input.Frame.Seen.Box;
-  this->Clusters.SetSeen(this->MadeSeen);
+  this->Clusters.SetSeen(input.Frame.Seen.Box);
   const vtkIndirectSenderClusters::LightTree lights =
     this->Clusters.MakeLights(strengths, this->NumberOfLights, this->Divides ? error : 0.0);
   if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Lights),

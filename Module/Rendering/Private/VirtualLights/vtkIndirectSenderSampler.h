@@ -77,5 +77,4 @@ private:
   // These numbers identify the inputs of the lights.
   size_t MadeTime = 0;
   int MadeCount = 0;
-  vtkIndirectSeenBox MadeSeen;
 };

@@ -18,7 +18,6 @@ bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
 {
   senders.clear();
   places.clear();
-  this->Texels.SetWindows(true);
   if (!this->Texels.Update(input))
   {
     return false;

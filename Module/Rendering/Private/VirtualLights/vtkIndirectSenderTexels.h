@@ -10,6 +10,8 @@
 class vtkIndirectSenderTexels
 {
 public:
+  vtkIndirectSenderTexels() { this->Texels.SetWindows(true); }
+
   /**
    * Sets the largest number of texels: with more texels, one represents 2 x 2, 4 x 4, ... of them.
    */

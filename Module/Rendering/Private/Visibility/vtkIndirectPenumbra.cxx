@@ -142,8 +142,7 @@ void FitDirectional(
     {
       half = glm::max(half, glm::abs(p));
     }
-    reach = glm::max(reach,
-      glm::dvec2(glm::dot(glm::abs(to[0]), seen.Half), glm::dot(glm::abs(to[1]), seen.Half)));
+    reach = glm::max(reach, glm::dvec2(seen.FindReach(to[0]), seen.FindReach(to[1])));
   }
   if (seen.IsPart)
   {

@@ -252,8 +252,7 @@ vtkIndirectRandomWalk::Emission::Emission(
     const vtkIndirectSeenBox& seen = frame.Seen.Box;
     const glm::dvec2 at(
       glm::dot(seen.Middle - middle, this->U), glm::dot(seen.Middle - middle, this->V));
-    const glm::dvec2 reach(
-      glm::dot(seen.Half, glm::abs(this->U)), glm::dot(seen.Half, glm::abs(this->V)));
+    const glm::dvec2 reach(seen.FindReach(this->U), seen.FindReach(this->V));
     this->LowerOfPart = glm::max(at - ReachOfPart * reach, -this->HalfWidths);
     this->UpperOfPart = glm::min(at + ReachOfPart * reach, this->HalfWidths);
     this->IsPart = seen.IsPart && glm::all(glm::lessThan(this->LowerOfPart, this->UpperOfPart));
