@@ -82,6 +82,7 @@ private:
   vtkIndirectRandomWalk Paths;
   vtkIndirectSenderClusters Clusters;
   size_t NumberOfEmitters = 0;
+  bool LightsTurn = false;
   int NumberOfWalks = 0;
   int Frames = 0;          // number of frames that the walk extends over so far
   bool HasMore = false;    // a still frame would have more vertices
@@ -109,18 +110,22 @@ void WalkLights::AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan
 
 //------------------------------------------------------------------------------
 // Vertices of a light's first bounce cover surfaces once, as the texels of a map do; those of all
-// later bounces together cover them once more.
+// later bounces together cover them once more. Where lights turn, later vertices keep the number of
+// their emitter.
 void WalkLights::FindSenders(vtkIndirectFurtherSenders& senders) const
 {
   senders.Senders.clear();
   senders.NumberOfMaps = this->NumberOfEmitters;
   for (const vtkIndirectRandomWalk::Vertex& vertex : this->Paths.GetVertices())
   {
-    const int map = vertex.Bounce == 1 ? vertex.Emitter : static_cast<int>(this->NumberOfEmitters);
+    const int cover =
+      vertex.Bounce == 1 ? vertex.Emitter : static_cast<int>(this->NumberOfEmitters);
+    const int map = this->LightsTurn ? vertex.Emitter : cover;
     senders.NumberOfMaps = std::max(senders.NumberOfMaps, static_cast<size_t>(map) + 1);
     senders.Senders.push_back({ glm::vec3(vertex.Position), glm::vec3(vertex.Normal),
       static_cast<float>(vertex.Area), glm::vec3(vertex.DensityArea), map,
       static_cast<float>(vertex.Bounce > 1 ? SmoothingOfLaterBounces : 1.0) });
+    senders.Senders.back().Cover = this->LightsTurn ? cover : -1;
   }
 }
 
@@ -129,13 +134,21 @@ void WalkLights::FindSenders(vtkIndirectFurtherSenders& senders) const
 bool WalkLights::Walk(const Input& input)
 {
   vtkIndirectEmitters::List emitters;
-  std::copy_if(input.Frame.Lights.begin(), input.Frame.Lights.end(), std::back_inserter(emitters),
-    std::mem_fn(&vtkIndirectLight::IsReflected));
+  if (!input.LightsTurn)
+  {
+    std::copy_if(input.Frame.Lights.begin(), input.Frame.Lights.end(), std::back_inserter(emitters),
+      std::mem_fn(&vtkIndirectLight::IsReflected));
+  }
+  this->LightsTurn = input.LightsTurn;
   // The first bounce of the sky and of area lights comes from maps of their own.
   for (size_t i = 0; input.Emitters && i < input.Emitters->size(); ++i)
   {
     emitters.push_back((*input.Emitters)[i]);
     emitters.back().FirstBounce = 2;
+    if (input.LightsTurn)
+    {
+      emitters.back().Color = glm::dvec3(1.0); // the lights' strengths come later
+    }
   }
   vtkIndirectRandomWalk::Settings settings;
   settings.NumberOfVertices = this->Set.GetNumberOfVertices() > 0 ? this->Set.GetNumberOfVertices()

@@ -12,6 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, v
 
 import support
 import vtkindirect
+from rooms import make_actor, make_ball, make_room
 from vtkindirect import UsageError, frames, images, lighting, lights, load_scene, windows, wrapped
 from vtkindirect.frames import Job
 
@@ -201,6 +202,43 @@ class Follows(support.DirectoryTest):
         self.assertEqual(report["settings"]["Lighting"], "scene")
         report = frames.render(scene, scene.render_window, Job(lighting="studio"))
         self.assertEqual(report["settings"]["Lighting"], "studio")
+
+    def turned(self, preset: str, angles: tuple[int, ...], **values: Any) -> list[Any]:
+        """Return the irradiance and the counters of a room in views one after the other."""
+        renderer = make_room(make_actor(make_ball()), lit=False)
+        lights.add_light_kit(renderer, 0.6)
+        vtkindirect.enable(renderer, lighting=preset, **values)
+        window = windows.render_window((160, 120), offscreen=True)
+        self.addCleanup(window.Finalize)
+        window.AddRenderer(renderer)
+        window.SetDesiredUpdateRate(1e-4)
+        views = []
+        for angle in angles:
+            renderer.GetActiveCamera().Azimuth(angle)
+            window.Render()
+            counters = vtkindirect.report(renderer)["counters"]
+            views.append((images.copy_buffer(renderer, "irradiance"), counters))
+        return views
+
+    def test_turning(self) -> None:
+        """A turn draws the maps of shadows alone, and the picture does not depend on it."""
+        # Bounds of the error of the bounces alone: measured 0.21 and 0.083, of which the walk's
+        # noise is a part. Three directions, up to 40 degrees away, stand for a sharp light.
+        for preset, maps, most in (("scene", 5, 0.25), ("full", 1, 0.1)):
+            with self.subTest(preset=preset):
+                (_, before), (turned, after) = self.turned(preset, (0, 40))
+                for name in ("tiles_drawn", "walks", "sky_tiles_drawn"):
+                    self.assertEqual(after[name], before[name], name)
+                self.assertEqual(after["faces_drawn"], before["faces_drawn"] + maps)
+                ((fresh, _),) = self.turned(preset, (40,))
+                np.testing.assert_array_equal(turned, fresh)
+                ((walked, _),) = self.turned(
+                    preset, (40,), sampler="random_walk", number_of_lights=8192, NumberOfBounces=16
+                )
+                mean = float(walked.mean())
+                self.assertAlmostEqual(float(turned.mean()), mean, delta=0.05 * mean)
+                error = float(np.sqrt(np.square(turned - walked).mean()))
+                self.assertLess(error, most * mean)
 
     def test_command_line(self) -> None:
         document = support.small_scene()

@@ -3,6 +3,8 @@
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkIndirectPlanScene.h"
+#include "vtkLightCollection.h"
+#include "vtkNew.h"
 
 #include <string>
 
@@ -380,6 +382,31 @@ VTK_INDIRECT_TEST(PlanLimits)
   estimator.TakesSampler = false;
   Check("of lights that follow the camera",
     plan.WalkedBounces == 0 && !Find(plan.EstimateLeftOut, "bounces after bounce 1").empty());
+  // A sampler that joins senders gets their light from directions that stand.
+  estimator.TakesSampler = true;
+  vtkIndirectCircumstances joins;
+  joins.SamplerTakesSenders = true;
+  plan = vtkIndirectPlan::Make(MakeFrame({ following }), settings, estimator, joins);
+  Check("of lights that turn", plan.LightsTurn && plan.WalkedBounces == 128 && plan.Irradiance);
+  CheckEqual("which have maps for shadows", plan.Senders, vtkIndirectPlan::MAPS);
+  settings.Shadows = false;
+  plan = vtkIndirectPlan::Make(MakeFrame({ following }), settings, estimator, joins);
+  Check("which reflect without shadows", plan.LightsTurn && plan.Irradiance);
+  CheckEqual("and without maps", plan.Senders, vtkIndirectPlan::NO_SENDERS);
+  settings.Shadows = true;
+  Check("none beside a light that stands",
+    !vtkIndirectPlan::Make(MakeFrame({ following, MakeLight() }), settings, estimator, joins)
+       .LightsTurn);
+  following.Positional = true;
+  Check("none with a place",
+    !vtkIndirectPlan::Make(MakeFrame({ following }), settings, estimator, joins).LightsTurn);
+  following.Positional = false;
+  vtkNew<vtkLightCollection> replaced;
+  vtkIndirectFrame preset = MakeFrame({ MakeLight() });
+  preset.ReplacedLights = replaced;
+  Check(
+    "all lights of a preset", vtkIndirectPlan::Make(preset, settings, estimator, joins).LightsTurn);
+  estimator.TakesSampler = false;
   settings.NumberOfBounces = 3;
   estimator.MaximumNumberOfBounces = 16;
   plan = vtkIndirectPlan::Make(frame, settings, estimator, {});

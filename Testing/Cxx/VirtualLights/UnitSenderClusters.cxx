@@ -346,7 +346,7 @@ VTK_INDIRECT_TEST(SkyGroupsAreAllOfTheSky)
   auto make = [&]()
   {
     vtkIndirectEmitters::List emitters;
-    vtkIndirectEmitters::AddSky(emitters, projection, environment);
+    vtkIndirectEmitters::AddDirections(emitters, projection, environment);
     return emitters;
   };
   vtkIndirectEmitters::List groups = make();

@@ -9,11 +9,6 @@
 
 namespace
 {
-// The last bounce of a random walk if NumberOfBounces is automatic: in a closed room of albedo 0.97
-// later bounces would add a fiftieth of all light.
-constexpr int MostBounces = 128;
-// Bounces of an estimator that computes them itself: an albedo of a half leaves 0.4 % beyond.
-constexpr int AutomaticBounces = 8;
 constexpr int MostMapTexels = 2048;
 // RMS error over the mean of the sky's light under spheres: 0.041 to 0.056 on scenes of spheres
 // (Documentation/methods/sphere-proxies.md).
@@ -67,6 +62,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
     plan.Senders = NO_SENDERS; // no stage would read their maps
     plan.MapLights.clear();
   }
+  plan.FindTurningLights(frame, settings, estimator, circumstances);
   plan.FindVisibility(settings, estimator);
   plan.FindSky(frame, settings, estimator, circumstances);
   plan.FindOtherLights(frame, settings, estimator, circumstances);
@@ -81,8 +77,8 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
     plan.MapTexels *= 2;
   }
   const bool sent = !estimator.SumsSky &&
-    (plan.Senders != NO_SENDERS || plan.SkyBounces || plan.AreaLightsBounce ||
-      plan.VirtualAreaLights || plan.OtherSamplers);
+    (plan.Senders != NO_SENDERS || plan.HasSenderMaps() || plan.VirtualAreaLights ||
+      plan.OtherSamplers);
   const bool sentBesides = plan.Sky && plan.SkySource != SKY_BY_MAPS;
   plan.WhyNoIrradiance = settings.IndirectScale == 0.0 ? "IndirectScale is 0"
     : sent || sentBesides                              ? ""
@@ -103,8 +99,8 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.Refraction = plan.Irradiance && !frame.Refractors.empty() && estimator.SumsLobes &&
     estimator.SpecularTransport && !frame.Lights.empty();
   plan.SendersAreSpecular = frame.SendersAreSpecular;
-  plan.SenderLobes = settings.IndirectScale > 0.0 && plan.Senders == MAPS && estimator.SumsLobes &&
-    estimator.SpecularTransport && frame.SendersAreSpecular;
+  plan.SenderLobes = settings.IndirectScale > 0.0 && plan.Senders == MAPS && !plan.LightsTurn &&
+    estimator.SumsLobes && estimator.SpecularTransport && frame.SendersAreSpecular;
   // If there is specular reflectance, the albedo has an image of its own in any case.
   plan.AlbedoInAlpha = frame.CoversFully && !circumstances.OwnDelegate && !plan.SurfacesAreSpecular;
   // Antialiasing twice blurs too much, and the user's choice has priority.
@@ -118,106 +114,6 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.ReportTolerances(estimator);
   plan.LeaveOut(settings, estimator, circumstances);
   return plan;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
-  const vtkIndirectSettings& settings, const vtkIndirectCircumstances& circumstances)
-{
-  if (frame.Casters.empty())
-  {
-    return; // no caster could reflect the light
-  }
-  // The eye sees all lit senders under its headlight, unless a prop must not send light. A
-  // headlight that has a size casts visible penumbrae, which need maps.
-  if (frame.Lights.size() == 1 && frame.Lights.front().Headlight &&
-    !frame.Lights.front().Positional && !frame.Lights.front().Fill && frame.AllSendLight &&
-    !(frame.Lights.front().Size > 0.0 && settings.Shadows))
-  {
-    if (circumstances.SamplerWalks)
-    {
-      this->Senders = RAYS;
-      this->Modelled.emplace_back(
-        "a headlight, by rays", "the eye sees what it lights; no shadow is visible");
-      return;
-    }
-    this->Senders = HEADLIGHT;
-    this->Modelled.emplace_back(
-      "a headlight, from the geometry buffer", "the eye sees what it lights; no shadow is visible");
-    this->LeftOut.emplace_back("senders outside the view", "the headlight has no map of its own");
-    return;
-  }
-  for (size_t i = 0; i < frame.Lights.size(); ++i)
-  {
-    if (frame.Lights[i].Color == glm::dvec3(0.0))
-    {
-      this->LeftOut.emplace_back("light " + std::to_string(frame.Lights[i].Index),
-        frame.Lights[i].Finite ? "it emits nothing" : "its place or its strength is not finite");
-      continue;
-    }
-    if (frame.Lights[i].Fill)
-    {
-      continue;
-    }
-    this->MapLights.push_back(static_cast<int>(i));
-    if (frame.Lights[i].Size > 0.0)
-    {
-      this->LeftOut.emplace_back("size of light " + std::to_string(frame.Lights[i].Index) +
-          (settings.Shadows ? " beyond its shadows" : ""),
-        settings.Shadows ? "cosines, highlights, falloff and bounces are those of its centre"
-                         : "Shadows are off");
-    }
-  }
-  this->Senders = this->MapLights.empty() ? NO_SENDERS : MAPS;
-  if (this->Senders == MAPS && circumstances.SamplerWalks && !settings.Shadows)
-  {
-    this->Senders = RAYS;
-    this->MapLights.clear();
-    this->Modelled.emplace_back("lights without maps", "Shadows are off, and rays find senders");
-  }
-}
-
-//------------------------------------------------------------------------------
-// Plans further bounces. A random walk adds the bounces that an estimator of virtual lights cannot
-// compute itself, as more virtual lights.
-void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
-  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
-  const vtkIndirectCircumstances& circumstances)
-{
-  const bool sent = this->Senders != NO_SENDERS || this->SkyBounces || this->AreaLightsBounce;
-  const bool walks = !estimator.ReadsMaps && !estimator.SumsSky && sent;
-  this->SampledBounces = settings.NumberOfBounces;
-  if (settings.NumberOfBounces == 0)
-  {
-    // Paths end by themselves, by the albedo, so late bounces cost nothing if no light reaches
-    // them. A walk for every view would take most of a frame.
-    const bool follows = std::any_of(frame.Lights.begin(), frame.Lights.end(),
-      [](const vtkIndirectLight& light) { return light.FollowsCamera && !light.Fill; });
-    const bool one = follows || estimator.IsOfPaper;
-    const bool itself = estimator.MaximumNumberOfBounces > 1;
-    this->NumberOfBounces = itself && !one ? AutomaticBounces : 1;
-    this->SampledBounces = walks && estimator.TakesSampler && !itself && !one ? MostBounces : 1;
-    if (sent && (itself || (walks && one)))
-    {
-      const std::string last = std::to_string(this->NumberOfBounces);
-      this->EstimateLeftOut.emplace_back("bounces after bounce " + last,
-        "NumberOfBounces is automatic, which is " + last +
-          (follows                  ? std::string(" where lights follow the camera")
-              : estimator.IsOfPaper ? std::string(" with the preset PAPER")
-                                    : " with " + estimator.Name) +
-          "; the result is too dark");
-    }
-  }
-  if (this->SampledBounces > estimator.MaximumNumberOfBounces && walks &&
-    !circumstances.SamplerWalks && !circumstances.OtherSamplerWalks)
-  {
-    this->WalkedBounces = this->SampledBounces;
-  }
-  this->LastBounce = std::max(this->NumberOfBounces, this->WalkedBounces);
-  if (circumstances.SamplerWalks || circumstances.OtherSamplerWalks)
-  {
-    this->LastBounce = std::max(this->LastBounce, this->SampledBounces);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -502,7 +398,7 @@ void vtkIndirectPlan::LeaveOut(const vtkIndirectSettings& settings,
       "a lobe a virtual light about the mirror direction of the light, of the flux of VTK's "
       "specular term");
   }
-  const bool others = this->SkyBounces || this->AreaLightsBounce;
+  const bool others = this->HasSenderMaps();
   if (!this->SenderLobes || others)
   {
     this->EstimateLeftOut.emplace_back(this->SenderLobes
@@ -528,7 +424,7 @@ vtkIndirectKey vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
   key.Add("visibility", this->Interactive && this->Visibility == vtkIndirectVisibilityMaps);
   key.Add("bounces", this->NumberOfBounces).Add("bounces", this->SampledBounces);
   key.Add("bounces", this->WalkedBounces).Add("bounces", this->SkyBounces);
-  key.Add("bounces", this->AreaLightsBounce);
+  key.Add("bounces", this->AreaLightsBounce).Add("bounces", this->LightsTurn);
   key.Add("area lights", this->VirtualAreaLights).Add("area lights", this->MinMaxAreaLights);
   key.Add("error tolerance", this->ErrorTolerance);
   key.Add("error tolerance", this->EstimatorErrorTolerance);

@@ -49,8 +49,9 @@ struct vtkIndirectCircumstances
   int NumberOfOtherEmitters = 0; // sources of light other than vtkLight
   /** The estimator sums lights of a sampler that finds lights of all bounces by rays. */
   bool SamplerWalks = false;
-  bool OtherSamplerWalks = false; // an additional sampler finds lights by rays
-  bool AreaLights = false;        // there are rectangular lights
+  bool OtherSamplerWalks = false;   // an additional sampler finds lights by rays
+  bool SamplerTakesSenders = false; // the estimator sums lights of a sampler that joins senders
+  bool AreaLights = false;          // there are rectangular lights
   ///@{
   /** It is true if some lights of this Method shine. */
   bool AutomaticAreaLights = false;
@@ -151,6 +152,11 @@ struct vtkIndirectPlan
   /** Surfaces reflect the environment's light: by virtual lights, or by spheres. */
   bool SkyBounces = false;
   bool SpheresBounceSky = false;
+  /**
+   * The frame's lights follow the camera: surfaces reflect their light as if it came from the sky's
+   * fixed directions, so that turning the camera changes no map.
+   */
+  bool LightsTurn = false;
   bool OtherSamplers = false;     // passes add virtual lights of their own samplers
   bool AreaLights = false;        // light comes directly from rectangles, in closed form
   bool VirtualAreaLights = false; // pieces of rectangles are virtual lights
@@ -209,6 +215,11 @@ struct vtkIndirectPlan
   Entries EstimateLeftOut;
   ///@}
 
+  /** Returns true if surfaces reflect light of fixed directions or of area lights. */
+  bool HasSenderMaps() const
+  {
+    return this->SkyBounces || this->AreaLightsBounce || this->LightsTurn;
+  }
   /** Returns true if depth maps are looked up for the sky. */
   bool HasSkyMaps() const
   {
@@ -250,6 +261,8 @@ struct vtkIndirectPlan
 private:
   void FindSenders(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectCircumstances& circumstances);
+  void FindTurningLights(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
+    const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindBounces(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void ReportTolerances(const vtkIndirectAbilities& estimator);

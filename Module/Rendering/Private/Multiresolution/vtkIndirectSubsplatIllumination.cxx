@@ -81,29 +81,36 @@ bool vtkIndirectSubsplatIllumination::IsBelowFinest(const Work& work)
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectSubsplatIllumination::OtherType vtkIndirectSubsplatIllumination::FindOther(
+  const Work& work)
+{
+  return !IsBelowFinest(work) ? SPLITS : work.Set.TakesNearest ? NEAREST : EVALUATES;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectSubsplatIllumination::Define(const Work& work)
 {
   const Settings& settings = work.Set;
   const std::string lights = work.Lights.GetDefinitions() + work.In.Visibility.GetDefinitions() +
     (settings.PointFormFactor ? "#define VTKI_POINT_FORM_FACTOR\n" : "");
   const std::string detail = settings.SurfaceDetail > 0.0 ? "#define VTKI_SURFACE_DETAIL\n" : "";
-  const std::string evaluate = "#define VTKI_EVALUATE\n";
+  const OtherType other = FindOther(work);
+  const std::string others = other == NEAREST    ? "#define VTKI_NEAREST\n"
+    : other == EVALUATES || !settings.HasCompute ? lights + "#define VTKI_EVALUATE\n"
+                                                 : lights;
   const std::string images = std::string("#define VTKI_FORMAT ") +
     (this->HalfFloats ? "rgba16f\n" : "rgba32f\n") + lights + GetGrouping() +
     (SharesLooks(work) ? "#define VTKI_SHARES_LOOKS\n" : "");
   if (work.Number > 0)
   {
     this->SmoothTexels.SetDefinitions("#define VTKI_TEXELS\n");
-    this->OtherTexels[IsBelowFinest(work)].SetDefinitions(
-      lights + (settings.HasCompute && !IsBelowFinest(work) ? "" : evaluate));
+    this->OtherTexels[other].SetDefinitions(others);
     this->TexelBlocks[SharesLooks(work)].SetDefinitions(images);
     return;
   }
   this->SmoothPixels.SetDefinitions(
     detail + (settings.HasCompute ? "#define VTKI_BLOCKS_FOLLOW\n" : ""));
-  // Below the finest level pixels without a sample of their own are evaluated one by one.
-  this->OtherPixels.SetDefinitions(
-    lights + detail + (settings.HasCompute && !IsBelowFinest(work) ? "" : evaluate));
+  this->OtherPixels[other].SetDefinitions(others + detail);
   this->PixelBlocks[SharesLooks(work)].SetDefinitions(images + "#define VTKI_PIXELS\n" + detail);
 }
 
@@ -154,7 +161,7 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
 {
   vtkIndirectFullScreenProgram& smooth = work.Number == 0 ? this->SmoothPixels : this->SmoothTexels;
   vtkIndirectFullScreenProgram& others =
-    work.Number == 0 ? this->OtherPixels : this->OtherTexels[IsBelowFinest(work)];
+    (work.Number == 0 ? this->OtherPixels : this->OtherTexels)[FindOther(work)];
   vtkOpenGLRenderWindow* window = work.In.Frame.Window;
   vtkOpenGLState* state = window->GetState();
   const vtkIndirectTarget& coarserSurface = work.Pyramid.GetSurface(work.Number + 1);
@@ -182,7 +189,7 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
     coarser.Activate(1, program);
     program->SetUniform2i("vtkiCoarserSize", coarserSize);
     program->SetUniformf("vtkiCoarserEdge", vtkIndirectSubsplatPyramid::EdgeOf(work.Number + 1));
-    if (!first)
+    if (!first && FindOther(work) != NEAREST)
     {
       work.Lights.Activate(program);
       work.In.Visibility.Activate(work.In.Frame.Window, program, work.In.Creases);

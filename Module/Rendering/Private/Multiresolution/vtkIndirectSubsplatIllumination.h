@@ -49,6 +49,15 @@ private:
   static bool SharesLooks(const Work& work);
   /** Returns true if the level above is not split. */
   static bool IsBelowFinest(const Work& work);
+  /** Kinds of stages for texels that are not inside one surface. */
+  enum OtherType
+  {
+    SPLITS,    // children of split texels are evaluated
+    EVALUATES, // below the finest level: texels without a sample on their surface are evaluated
+    NEAREST,   // below the finest level: such texels take the nearest sample
+    NUMBER_OF_OTHERS
+  };
+  static OtherType FindOther(const Work& work);
   void Define(const Work& work);
   bool Fill(const Work& work);
   bool Interpolate(const Work& work);
@@ -59,10 +68,15 @@ private:
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // [i] is level i + 1
   bool HalfFloats = true;
   vtkIndirectFullScreenProgram SmoothTexels{ this, "vtkIndirectSubsplatSmoothFS.glsl" };
-  vtkIndirectFullScreenProgram OtherTexels[2] = { { this, "vtkIndirectSubsplatLevelFS.glsl" },
-    { this, "vtkIndirectSubsplatLevelFS.glsl" } }; // the second below the finest level
+  vtkIndirectFullScreenProgram OtherTexels[NUMBER_OF_OTHERS] = {
+    { this, "vtkIndirectSubsplatLevelFS.glsl" }, { this, "vtkIndirectSubsplatLevelFS.glsl" },
+    { this, "vtkIndirectSubsplatLevelFS.glsl" }
+  };
   vtkIndirectFullScreenProgram SmoothPixels{ this, "vtkIndirectSubsplatSmoothFS.glsl" };
-  vtkIndirectFullScreenProgram OtherPixels{ this, "vtkIndirectSubsplatPixelFS.glsl" };
+  vtkIndirectFullScreenProgram OtherPixels[NUMBER_OF_OTHERS] = {
+    { this, "vtkIndirectSubsplatPixelFS.glsl" }, { this, "vtkIndirectSubsplatPixelFS.glsl" },
+    { this, "vtkIndirectSubsplatPixelFS.glsl" }
+  };
   // For still frames, and for frames with shared look-ups.
   vtkIndirectComputeProgram TexelBlocks[2] = { { this, "vtkIndirectSubsplatBlockCS.glsl" },
     { this, "vtkIndirectSubsplatBlockCS.glsl" } };

@@ -21,6 +21,8 @@ class vtkIndirectLightBlock;
 /** These are the settings of a frame, with thresholds for the frame's tolerance. */
 struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
 {
+  bool TakesNearest = false;    // below the finest level texels without a sample on their surface
+                                // take the nearest one
   int FinestLevel = 0;          // no texel of this level or a finer one is split; level 0 is pixels
   bool PointFormFactor = false; // of lights at diffuse receivers, see vtkiPointLightStrength
   double PlaneThreshold = 0.0;

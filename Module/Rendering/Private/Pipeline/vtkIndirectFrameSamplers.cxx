@@ -71,7 +71,7 @@ void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIn
   }
   const vtkIndirectSamplerAbilities abilities =
     own ? own->GetAbilities() : vtkIndirectSamplerAbilities();
-  this->Senders->Follow(abilities);
+  this->Senders->Follow(abilities, plan.LightsTurn);
   vtkIndirectSampler::Pointer sampler = own;
   if (sampler && plan.Senders == vtkIndirectPlan::HEADLIGHT)
   {
@@ -80,11 +80,11 @@ void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIn
       pattern ? pattern : vtkIndirectSampler::Get(this->Default)->GetHeadlightPattern());
     sampler = this->Headlight;
   }
-  if (sampler && plan.Senders != vtkIndirectPlan::NO_SENDERS)
+  if (sampler && plan.Senders != vtkIndirectPlan::NO_SENDERS && !plan.LightsTurn)
   {
     this->Samplers.emplace_back(sampler);
   }
-  if (plan.SkyBounces || plan.AreaLightsBounce)
+  if (plan.HasSenderMaps())
   {
     this->Samplers.emplace_back(this->Senders);
   }
@@ -140,7 +140,8 @@ bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIn
 {
   vtkIndirectSampler::Input input = { frame, maps, geometry, plan.ErrorTolerance,
     plan.SampledBounces, plan.Interactive,
-    plan.SkyBounces || plan.AreaLightsBounce ? &this->Senders->GetEmitters() : nullptr };
+    plan.HasSenderMaps() ? &this->Senders->GetEmitters() : nullptr };
+  input.LightsTurn = plan.LightsTurn;
   input.Surfaces = &surfaces;
   input.Further = this->SendersAreWalked
     ? vtkIndirectSampler::Get(this->LaterBounces)->UpdateSenders(input)

@@ -93,8 +93,13 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   circumstances.ImageBasedLighting = this->Frame.Renderer->GetUseImageBasedLighting();
   const vtkIndirectAbilities abilities =
     vtkIndirectSum::Get(request.Estimator).GetAbilities(request.Settings.ErrorTolerance);
-  circumstances.SamplerWalks =
-    abilities.TakesSampler && vtkIndirectSampler::Get(request.Sampler)->GetAbilities().Walks;
+  if (abilities.TakesSampler)
+  {
+    const vtkIndirectSamplerAbilities sampler =
+      vtkIndirectSampler::Get(request.Sampler)->GetAbilities();
+    circumstances.SamplerWalks = sampler.Walks;
+    circumstances.SamplerTakesSenders = sampler.TakesSenders;
+  }
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
   std::vector<vtkSmartPointer<vtkAreaLight>> virtualAreaLights;
@@ -124,8 +129,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   {
     this->Area.Release(this->Frame.Window);
   }
-  if ((!circumstances.Environment && !circumstances.AreaLights) ||
-    request.Settings.IndirectScale == 0.0)
+  if (!this->Plan.HasSenderMaps())
   {
     this->Samplers.ReleaseSenderMaps(this->Frame.Window);
   }
@@ -209,15 +213,23 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
 //------------------------------------------------------------------------------
 bool vtkIndirectPipeline::UpdateSenderMaps()
 {
-  if (!this->Plan.SkyBounces && !this->Plan.AreaLightsBounce)
+  if (!this->Plan.HasSenderMaps())
   {
-    this->Samplers.ReleaseSenderMaps(this->Frame.Window);
     return true;
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
   vtkEnvironmentLight* const sky = this->Plan.SkyBounces ? this->Environment : nullptr;
   vtkIndirectKey source;
-  source.Add("sky", sky);
+  source.Add("sky", sky).Add("lights turn", this->Plan.LightsTurn);
+  vtkIndirectEmitters::List turning;
+  for (const vtkIndirectLight& light : this->Frame.Lights)
+  {
+    if (this->Plan.LightsTurn && light.IsReflected())
+    {
+      turning.push_back(light);
+      light.AppendTo(source);
+    }
+  }
   if (this->Plan.AreaLightsBounce)
   {
     this->AppendAreaLights(source);
@@ -225,9 +237,10 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
   const auto makeEmitters = [&](bool inHaste)
   {
     vtkIndirectEmitters::List emitters;
-    if (sky)
+    if (sky || this->Plan.LightsTurn)
     {
-      vtkIndirectEmitters::AddSky(emitters, this->SkyProjection, sky);
+      vtkIndirectEmitters::AddDirections(
+        emitters, this->SkyProjection, sky, this->Plan.LightsTurn ? &turning : nullptr);
     }
     if (this->Plan.AreaLightsBounce)
     {

@@ -102,3 +102,45 @@ size_t vtkIndirectDirections::FindNearest(
   }
   return nearest;
 }
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<size_t, double>> vtkIndirectDirections::FindAround(
+  const glm::dvec3& direction, const std::vector<glm::dvec3>& directions)
+{
+  // Among the triples of directions whose cone holds the direction, the plane of the hull's face
+  // is the farthest from the origin along the direction. The sum of the weights is one over that
+  // distance.
+  std::vector<std::pair<size_t, double>> around;
+  double least = 0.0;
+  for (size_t i = 0; i < directions.size(); ++i)
+  {
+    for (size_t j = i + 1; j < directions.size(); ++j)
+    {
+      const glm::dvec3 normal = glm::cross(directions[i], directions[j]);
+      for (size_t k = j + 1; k < directions.size(); ++k)
+      {
+        const double volume = glm::dot(normal, directions[k]);
+        if (std::abs(volume) < 1e-6)
+        {
+          continue;
+        }
+        const glm::dvec3 weights =
+          glm::dvec3(glm::dot(glm::cross(directions[j], directions[k]), direction),
+            glm::dot(glm::cross(directions[k], directions[i]), direction),
+            glm::dot(normal, direction)) /
+          volume;
+        const double sum = weights.x + weights.y + weights.z;
+        if (std::min({ weights.x, weights.y, weights.z }) >= -1e-9 &&
+          (around.empty() || sum < least))
+        {
+          least = sum;
+          around = { { i, weights.x }, { j, weights.y }, { k, weights.z } };
+        }
+      }
+    }
+  }
+  around.erase(std::remove_if(around.begin(), around.end(),
+                 [](const auto& entry) { return !(entry.second > 0.0); }),
+    around.end());
+  return around;
+}

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <glm/glm.hpp> // for directions
+#include <utility>     // for weights
 #include <vector>      // for lists
 
 namespace vtkIndirectDirections
@@ -24,4 +25,12 @@ std::vector<glm::dvec3> MakeNestedLattice(int count);
 
 /** Returns the number of the one of `directions` that is nearest to a direction; all are unit. */
 size_t FindNearest(const glm::dvec3& direction, const std::vector<glm::dvec3>& directions);
+
+/**
+ * Returns three directions around a direction, and weights, none below zero, with which their sum
+ * is the direction itself. The directions are a face of the convex hull of all of them, so that the
+ * weights change smoothly with the direction. Fewer directions are returned if they suffice.
+ */
+std::vector<std::pair<size_t, double>> FindAround(
+  const glm::dvec3& direction, const std::vector<glm::dvec3>& directions);
 }

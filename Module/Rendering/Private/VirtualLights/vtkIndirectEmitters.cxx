@@ -78,10 +78,11 @@ void JoinAlike(vtkIndirectEmitters::List& list, size_t most)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectEmitters::AddSky(
-  List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment)
+void vtkIndirectEmitters::AddDirections(List& emitters, vtkIndirectSkyProjection& projection,
+  vtkEnvironmentLight* environment, const List* turning)
 {
-  const vtkIndirectSkyProjection::Result& sky = projection.Find(environment);
+  const vtkIndirectSkyProjection::Result dark;
+  const vtkIndirectSkyProjection::Result& sky = environment ? projection.Find(environment) : dark;
   const std::vector<glm::dvec3> coarse = vtkIndirectDirections::MakeLattice(NumberOfSkyGroups);
   List all;
   auto add = [&all](int number, const glm::dvec3& direction, const glm::dvec3& strength)
@@ -107,6 +108,19 @@ void vtkIndirectEmitters::AddSky(
     {
       all[vtkIndirectDirections::FindNearest(sky.Directions[i], coarse)].Color += strength;
     }
+  }
+  if (turning)
+  {
+    for (const vtkIndirectLight& light : *turning)
+    {
+      for (const auto& [number, weight] :
+        vtkIndirectDirections::FindAround(-light.DirectionWC, coarse))
+      {
+        all[number].Color += weight * light.Color;
+      }
+    }
+    emitters.insert(emitters.end(), all.begin(), all.end());
+    return;
   }
   std::copy_if(all.begin(), all.end(), std::back_inserter(emitters),
     std::mem_fn(&vtkIndirectLight::IsReflected));

@@ -24,9 +24,13 @@ constexpr int NumberOfSkyGroups = 32;
  * Adds the groups of directions of the sky that send light. Their directions are fixed in the
  * world, and they hold all of the sky's light. A direction with more light than a group's mean
  * share, such as a sun's, is a group of its own. Reflected light is a mean over many senders, so it
- * needs fewer directions than received light.
+ * needs fewer directions than received light. environment: null if there is no sky.
+ *   turning: directional lights that turn with the camera; null if there are none. The three
+ * directions around a light get its light, so that surfaces that see all three receive what the
+ * light gives them. Then groups without light are added, too: they may get light in another view.
  */
-void AddSky(List& emitters, vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
+void AddDirections(List& emitters, vtkIndirectSkyProjection& projection,
+  vtkEnvironmentLight* environment, const List* turning = nullptr);
 
 /** Largest number of pieces of area lights: each has a map of five faces. */
 constexpr size_t MostPieces = 64;

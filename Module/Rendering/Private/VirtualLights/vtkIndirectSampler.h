@@ -61,6 +61,8 @@ public:
     bool Interactive = false; // the window's rate is a frame a second or more
     /** The sky and area lights, which light surfaces besides the frame's lights. */
     const std::vector<vtkIndirectLight>* Emitters = nullptr;
+    /** The frame's lights are among the emitters, whose light changes from frame to frame. */
+    bool LightsTurn = false;
     /** These are the scene's surfaces, up to date for samplers that walk. */
     const vtkIndirectSurfaces* Surfaces = nullptr;
     /**

@@ -48,30 +48,6 @@ double Sum(const glm::dvec3& light)
   return light.x + light.y + light.z;
 }
 
-// Returns a scale of the scene's irradiance: the irradiance on the sides of the box around the
-// senders if none of their light left the box. It is exact in a closed box. It is 0.8 to 2 times
-// the irradiance that lights in rooms and on parts give each other, and more on open ground; it is
-// positive even if the lights face away from each other.
-double FindMeanIrradiance(const std::vector<vtkIndirectSenderClusters::Sender>& senders,
-  const std::vector<vtkIndirectSenderClusters::Light>& lights)
-{
-  glm::vec3 least(std::numeric_limits<float>::max());
-  glm::vec3 largest(std::numeric_limits<float>::lowest());
-  for (const vtkIndirectSenderClusters::Sender& sender : senders)
-  {
-    least = glm::min(least, sender.Position);
-    largest = glm::max(largest, sender.Position);
-  }
-  double flux = 0.0;
-  for (const vtkIndirectSenderClusters::Light& light : lights)
-  {
-    flux += Sum(light.DensityArea) / 3.0;
-  }
-  const glm::dvec3 edges = largest - least;
-  const double sides = 2.0 * (edges.x * edges.y + edges.y * edges.z + edges.z * edges.x);
-  return sides > 0.0 ? flux / sides : 0.0;
-}
-
 // Returns a cluster's mean place, as far as it lies beside its middle texel or in front of it,
 // where a bowl's mean is. It moves smoothly with a light; a place at texels would jump. A mean
 // behind the texel would lie in the body, so that part is dropped.
@@ -123,6 +99,16 @@ std::vector<double> FindWeights(const std::vector<glm::dvec3>& strengths)
 void vtkIndirectSenderClusters::SetSenders(std::vector<Sender> senders)
 {
   this->Senders = std::move(senders);
+  glm::vec3 least(std::numeric_limits<float>::max());
+  glm::vec3 largest(std::numeric_limits<float>::lowest());
+  for (const Sender& sender : this->Senders)
+  {
+    least = glm::min(least, sender.Position);
+    largest = glm::max(largest, sender.Position);
+  }
+  const glm::dvec3 edges = largest - least;
+  this->Sides =
+    this->Senders.empty() ? 0.0 : 2.0 * (edges.x * edges.y + edges.y * edges.z + edges.z * edges.x);
   this->Weights.clear();
   this->Entries.clear();
   this->Clusters.clear();
@@ -348,9 +334,13 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const
 {
   Light light;
-  const size_t maps = strengths.size();
-  std::vector<double> areas(maps, 0.0);
-  std::vector<double> sums(maps, 0.0);
+  light.Begin = cluster.Begin;
+  light.End = cluster.End;
+  light.Spread = cluster.Spread;
+  // The first covers are those of the maps, and one more may be that of all further senders.
+  const size_t covers = strengths.size() + 1;
+  std::vector<double> areas(covers, 0.0);
+  std::vector<double> sums(covers, 0.0);
   glm::dvec3 normal(0.0);
   const glm::dvec3 place(cluster.Mean[0], cluster.Mean[1], cluster.Mean[2]);
   // Sums of sent light, times the following quantities.
@@ -368,17 +358,18 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     turned += all * glm::dot(glm::dvec3(sender.Normal), glm::dvec3(sender.Position) - place);
     within += all * static_cast<double>(sender.Area);
     smoothing += all * static_cast<double>(sender.Smoothing);
-    areas[map] += sender.Area;
-    sums[map] += all;
+    const size_t cover = sender.Cover < 0 ? map : static_cast<size_t>(sender.Cover);
+    areas[cover] += sender.Area;
+    sums[cover] += all;
   }
   // Each map's texels cover the surface once. A map may see only a part of the surface: maps that
   // light most of it count most.
   double total = 0.0;
   double area = 0.0;
-  for (size_t map = 0; map < maps; ++map)
+  for (size_t cover = 0; cover < covers; ++cover)
   {
-    total += sums[map];
-    area += sums[map] * areas[map];
+    total += sums[cover];
+    area += sums[cover] * areas[cover];
   }
   const Sender& middle = this->Senders[cluster.Middle];
   light.Position = FindPlace(middle, place);
@@ -442,6 +433,7 @@ void vtkIndirectSenderClusters::CloseBowl(
   const double share = std::sqrt(square) / length;
   light.Normal /= share;
   light.DensityArea *= share;
+  light.Share = share;
 }
 
 //------------------------------------------------------------------------------
@@ -497,14 +489,21 @@ double vtkIndirectSenderClusters::FindChildDistance(double strength, double spre
 }
 
 //------------------------------------------------------------------------------
-double vtkIndirectSenderClusters::FindChildDistance(
-  const Light& light, const Cluster& cluster, double limit)
+double vtkIndirectSenderClusters::FindChildDistance(const Light& light, double limit)
 {
-  if (cluster.End - cluster.Begin < 2 || !(limit > 0.0))
-  {
-    return 0.0;
-  }
-  return FindChildDistance(Sum(light.DensityArea) / 3.0, cluster.Spread, limit);
+  return light.End - light.Begin < 2 || !(limit > 0.0)
+    ? 0.0
+    : FindChildDistance(Sum(light.DensityArea) / 3.0, light.Spread, limit);
+}
+
+//------------------------------------------------------------------------------
+// The irradiance on the sides of the box around the senders if none of their light left the box. It
+// is exact in a closed box. It is 0.8 to 2 times the irradiance that lights in rooms and on parts
+// give each other, and more on open ground; it is positive even if the lights face away from each
+// other.
+double vtkIndirectSenderClusters::FindMeanIrradiance(double flux) const
+{
+  return this->Sides > 0.0 ? flux / this->Sides : 0.0;
 }
 
 //------------------------------------------------------------------------------
@@ -518,7 +517,7 @@ void vtkIndirectSenderClusters::MakeBranches(
   for (size_t i = 0; i < children.size(); ++i)
   {
     Light child = this->MakeLight(children[i], strengths);
-    child.ChildDistance = FindChildDistance(child, children[i], limit);
+    child.ChildDistance = FindChildDistance(child, limit);
     MakePatch(child);
     const size_t family = first + i * (perNode + 1);
     all[family] = child;
@@ -557,17 +556,19 @@ vtkIndirectSenderClusters::LightTree vtkIndirectSenderClusters::MakeLights(
   LightTree lights;
   lights.Lights.reserve(this->Clusters.size());
   bool divided = false;
+  double flux = 0.0;
   for (const Cluster& cluster : this->Clusters)
   {
     lights.Lights.push_back(this->MakeLight(cluster, strengths));
+    flux += Sum(lights.Lights.back().DensityArea) / 3.0;
     divided = divided || cluster.End - cluster.Begin > 1;
   }
-  const double limit = divided ? error * FindMeanIrradiance(this->Senders, lights.Lights) : 0.0;
+  const double limit = divided ? error * this->FindMeanIrradiance(flux) : 0.0;
   for (size_t i = 0; i < lights.Lights.size(); ++i)
   {
     Light& light = lights.Lights[i];
     const Cluster& cluster = this->Clusters[i];
-    light.ChildDistance = FindChildDistance(light, cluster, limit);
+    light.ChildDistance = FindChildDistance(light, limit);
     if (limit > 0.0)
     {
       MakePatch(light);

@@ -28,13 +28,14 @@ public:
     glm::vec3 Position; // scene units
     glm::vec3 Normal;
     float Area;
-    glm::vec3 Reflected; // density times area, under a light of strength one
-    int Map;
+    glm::vec3 Reflected;    // density times area, under a light of strength one
+    int Map;                // the number of its strength
     float Smoothing = 1.0f; // contact softening of its leaf over the leaf's area
     // This is the lobe of specular reflection, if there is one.
     glm::vec3 LobeDirection{ 0.0f, 0.0f, 1.0f };
     float LobeExponent = 0.0f;
     glm::vec3 LobeReflected{ 0.0f };
+    int Cover = -1; // a set of senders that covers each surface once; below zero: its map's
   };
 
   struct Light
@@ -58,6 +59,11 @@ public:
     glm::dvec3 LobeDirection{ 0.0, 0.0, 1.0 };
     double LobeExponent = 0.0;
     glm::dvec3 LobeDensityArea{ 0.0 };
+    /** The senders that it represents are these, see GetSender. */
+    size_t Begin = 0;
+    size_t End = 0;
+    double Spread = 0.0; // mean squared distance of their light's places from its mean
+    double Share = 1.0;  // the share of their light that it sends
   };
 
   void SetSenders(std::vector<Sender> senders);
@@ -66,6 +72,8 @@ public:
   const vtkIndirectSeenBox& GetSeen() const { return this->Seen; }
   const std::vector<Sender>& GetSenders() const { return this->Senders; }
   size_t GetNumberOfSenders() const { return this->Senders.size(); }
+  /** Returns a sender in the order of the last lights: those of a light follow each other. */
+  const Sender& GetSender(size_t place) const { return this->Senders[this->Entries[place].Sender]; }
 
   struct LightTree
   {
@@ -115,6 +123,13 @@ public:
    * density times area; spread: mean squared distance of the light's places from their mean.
    */
   static double FindChildDistance(double strength, double spread, double limit);
+  /** Returns the same for a light; 0 for a single sender, or a limit of 0. */
+  static double FindChildDistance(const Light& light, double limit);
+  /**
+   * Returns a scale of the scene's irradiance under the lights of such a flux, the sum of their
+   * density times area, mean of the colours.
+   */
+  double FindMeanIrradiance(double flux) const;
 
   size_t GetBytes() const;
 
@@ -149,7 +164,6 @@ private:
     const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
   void AddLobe(
     const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
-  static double FindChildDistance(const Light& light, const Cluster& cluster, double limit);
   void MakeBranches(
     size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all);
 
@@ -160,6 +174,7 @@ private:
   size_t Least = 1;
   double Nearness = 0.0;
   bool Divides = false; // true if lights are divided into branches
+  double Sides = 0.0;   // area of the sides of the box around the senders
   std::vector<Entry> Entries;
   std::vector<Cluster> Clusters;
 };

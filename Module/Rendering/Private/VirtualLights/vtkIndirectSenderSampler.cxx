@@ -17,6 +17,9 @@ namespace
 constexpr int TexelsOfMaps = 64;
 // Maps of directions without light are dropped if there are more maps than this.
 constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
+// The least number of steady lights, as of automatic ones. See
+// Documentation/methods/light-tree.md.
+constexpr int LeastSteadyLights = 128;
 
 // Tells whether two lights have the same maps.
 bool HaveSameMaps(const vtkIndirectLight& a, const vtkIndirectLight& b)
@@ -32,11 +35,24 @@ bool HaveSameNumber(const vtkIndirectLight& a, const vtkIndirectLight& b)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderSampler::Follow(const vtkIndirectSamplerAbilities& sampler)
+void vtkIndirectSenderSampler::Follow(const vtkIndirectSamplerAbilities& sampler, bool steady)
 {
   this->NumberOfLights = sampler.NumberOfLights;
-  this->SourceTime += sampler.Divides != this->Divides ? 1 : 0;
+  if (sampler.Divides != this->Divides || steady != this->Steady)
+  {
+    ++this->SourceTime;
+    this->SendersTime = 0;
+  }
   this->Divides = sampler.Divides;
+  this->Steady = steady;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSamplerAbilities vtkIndirectSenderSampler::GetAbilities() const
+{
+  vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
+  abilities.TakesSenders = this->Steady;
+  return abilities;
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +121,7 @@ bool vtkIndirectSenderSampler::DrawMaps(
     this->Emitters = this->Given;
     this->EmittersHaveMoved = true;
   }
-  if (this->SceneIsNew || this->Emitters.size() > MostMaps)
+  if (!plan.LightsTurn && (this->SceneIsNew || this->Emitters.size() > MostMaps))
   {
     const auto dark = std::remove_if(this->Emitters.begin(), this->Emitters.end(),
       [](const vtkIndirectLight& emitter) { return !emitter.IsReflected(); });
@@ -150,14 +166,23 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
   {
     vtkIndirectSenderTexels::RemoveOutermost(senders, places);
   }
-  this->Clusters.SetSenders(std::move(senders));
+  if (this->Steady)
+  {
+    this->FromMaps = std::move(senders);
+  }
+  else
+  {
+    this->FromMaps = {};
+    this->Clusters.SetSenders(std::move(senders));
+  }
   return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSenderSampler::Update(const Input& input)
 {
-  if (this->SendersTime != this->Maps.GetContentTime())
+  const bool anew = this->SendersTime != this->Maps.GetContentTime();
+  if (anew)
   {
     this->SendersTime = 0;
     this->MadeTime = 0;
@@ -167,7 +192,11 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     }
     this->SendersTime = this->Maps.GetContentTime();
   }
-  else if (this->MadeTime == this->SourceTime && this->MadeCount == this->NumberOfLights &&
+  if (this->Steady)
+  {
+    return this->UpdateSteady(input, anew);
+  }
+  if (!anew && this->MadeTime == this->SourceTime && this->MadeCount == this->NumberOfLights &&
     this->Clusters.GetSeen() == input.Frame.Seen.Box)
   {
     return true;
@@ -193,9 +222,61 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+// Brings steady lights up to date. anew: the maps' senders are new.
+bool vtkIndirectSenderSampler::UpdateSteady(const Input& input, bool anew)
+{
+  const vtkIndirectFurtherSenders* further = input.Further;
+  const size_t furtherTime = further ? further->Time : 0;
+  const bool joined = !anew && this->FurtherTime == furtherTime;
+  // While the camera moves, lights stay.
+  const bool seen = this->Clusters.GetSeen() == input.Frame.Seen.Box || input.Interactive;
+  const bool made = joined && seen && this->MadeCount == this->NumberOfLights;
+  const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
+  if (made && this->MadeTime == this->SourceTime && this->MadeError == error)
+  {
+    return true;
+  }
+  this->MadeTime = 0;
+  if (!joined)
+  {
+    std::vector<vtkIndirectSenderClusters::Sender> senders = this->FromMaps;
+    if (further)
+    {
+      senders.insert(senders.end(), further->Senders.begin(), further->Senders.end());
+    }
+    this->Clusters.SetSenders(std::move(senders));
+    this->FurtherTime = furtherTime;
+  }
+  if (!made)
+  {
+    this->Clusters.SetSeen(input.Frame.Seen.Box);
+    this->SteadyLights.Make(this->Clusters, this->Emitters.size(), this->NumberOfLights,
+      this->Divides,
+      further ? vtkIndirectSenderClusters::NearnessOfBounces
+              : vtkIndirectSenderClusters::StandardNearness,
+      LeastSteadyLights);
+    this->MadeCount = this->NumberOfLights;
+  }
+  std::vector<glm::dvec3> strengths;
+  for (const vtkIndirectLight& emitter : this->Emitters)
+  {
+    strengths.push_back(emitter.Color);
+  }
+  this->SteadyLights.Relight(this->Clusters, strengths, error);
+  if (!this->Write(input.Frame, this->SteadyLights.GetLights(), this->SteadyLights.GetBranches()))
+  {
+    return false;
+  }
+  this->MadeTime = this->SourceTime;
+  this->MadeError = error;
+  return true;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::AddToReport(vtkIndirectReport& report) const
 {
-  report.MainMemoryBytes += this->Clusters.GetBytes();
+  report.MainMemoryBytes += this->Clusters.GetBytes() + this->SteadyLights.GetBytes() +
+    this->FromMaps.size() * sizeof(vtkIndirectSenderClusters::Sender);
   size_t pieces = 0;
   for (const vtkIndirectLight& emitter : this->Emitters)
   {
@@ -231,6 +312,8 @@ void vtkIndirectSenderSampler::ReleaseOwn(vtkWindow* window)
   this->vtkIndirectSampler::ReleaseOwn(window);
   this->Texels.Release(window);
   this->Clusters.SetSenders({});
+  this->SteadyLights = {};
+  this->FromMaps = {};
   this->Emitters.clear();
   this->Given.clear();
   this->Source.Clear();

@@ -14,6 +14,7 @@
 #include "VirtualLights/vtkIndirectSampler.h"
 #include "VirtualLights/vtkIndirectSenderClusters.h" // for members
 #include "VirtualLights/vtkIndirectSenderTexels.h"   // for members
+#include "VirtualLights/vtkIndirectSteadyLights.h"   // for members
 
 class vtkSurfaceCapturePass;
 struct vtkIndirectPlan;
@@ -22,8 +23,12 @@ struct vtkIndirectReport;
 class vtkIndirectSenderSampler : public vtkIndirectSampler
 {
 public:
-  /** Makes as many lights as the frame's sampler, and divides them if that sampler does. */
-  void Follow(const vtkIndirectSamplerAbilities& sampler);
+  /**
+   * Makes as many lights as the frame's sampler, and divides them if that sampler does. steady: the
+   * emitters' light changes from frame to frame, and lights stay in place
+   * (vtkIndirectSteadyLights); then they also represent later bounces.
+   */
+  void Follow(const vtkIndirectSamplerAbilities& sampler, bool steady);
 
   /** Finds out whether the scene has changed. Must be called first in each frame. */
   void BeginFrame(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan);
@@ -41,6 +46,7 @@ public:
   bool DrawMaps(
     const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, vtkSurfaceCapturePass* capture);
   bool Update(const Input& input) override;
+  vtkIndirectSamplerAbilities GetAbilities() const override;
 
   const vtkIndirectEmitters::List& GetEmitters() const { return this->Emitters; }
   /** Grows when the inputs of the lights change, except their number. */
@@ -54,10 +60,15 @@ protected:
 private:
   bool UpdateScene(const vtkIndirectFrame& frame);
   bool ReadSenders(const Input& input);
+  bool UpdateSteady(const Input& input, bool anew);
 
   vtkIndirectLightMaps Maps{ this };
   vtkIndirectSenderTexels Texels;
   vtkIndirectSenderClusters Clusters;
+  vtkIndirectSteadyLights SteadyLights;
+  bool Steady = false;
+  std::vector<vtkIndirectSenderClusters::Sender> FromMaps; // kept for steady lights
+  size_t FurtherTime = 0;
   int NumberOfLights = 256;
   bool Divides = false; // true if the lights have branches
 
@@ -77,4 +88,5 @@ private:
   // These numbers identify the inputs of the lights.
   size_t MadeTime = 0;
   int MadeCount = 0;
+  double MadeError = 0.0; // of steady lights
 };

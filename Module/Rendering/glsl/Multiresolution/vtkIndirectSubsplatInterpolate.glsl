@@ -14,6 +14,9 @@ struct vtkiCoarser
   bool counts; // has illumination, on the same surface
   vec3 irradiance;
   vec3 vectorIrradiance;
+#ifdef VTKI_NEAREST
+  float weight; // falls with the distance from the surface; 0 without illumination
+#endif
 };
 
 // Fetches a texel of the level above, whose plane is not tested if it is trusted.
@@ -22,9 +25,16 @@ vtkiCoarser vtkiFetchCoarser(ivec2 place, vtkiTangentPlane plane, bool trusted)
   ivec2 at = clamp(place, ivec2(0), vtkiCoarserSize - 1);
   vec4 sampled = texelFetch(vtkiCoarserIrradiance, at, 0);
   vec2 center = vtkiSubsplatCenter(vec2(at), vtkiCoarserEdge, vec2(vtkiSize));
-  bool same = trusted || vtkiIsOnPlane(plane, center, texelFetch(vtkiCoarserSurface, at, 0));
+  vec4 surface = texelFetch(vtkiCoarserSurface, at, 0);
+  bool same = trusted || vtkiIsOnPlane(plane, center, surface);
+#ifdef VTKI_NEAREST
+  float weight = sampled.a > 0.0f ? vtkiNearness(plane, center, surface) : 0.0f;
+  return vtkiCoarser(sampled.a > 0.0f && same, sampled.rgb,
+    texelFetch(vtkiCoarserVector, at, 0).xyz, weight);
+#else
   return vtkiCoarser(
     sampled.a > 0.0f && same, sampled.rgb, texelFetch(vtkiCoarserVector, at, 0).xyz);
+#endif
 }
 
 // Returns the difference to the nearer neighbour; if that is on another surface, to the one across,
@@ -52,8 +62,9 @@ vec3 vtkiVectorSlope(vec3 own, vec3 near, bool nearCounts, vec3 across, bool acr
 }
 
 // Interpolates linearly along both axes from the coarser texel that holds this one; if that is
-// missing, the mean of the nearer neighbours. trusted: the own texel counts in any case. Returns
-// false if no texel counts.
+// missing, the mean of the nearer neighbours; with VTKI_NEAREST the mean of all of them, where those
+// near the surface count most. trusted: the own texel counts in any case. Returns false if no texel
+// counts.
 bool vtkiInterpolateSubsplat(ivec2 texel, vtkiTangentPlane plane, bool trusted,
   out vec3 irradiance, out vec3 vectorIrradiance)
 {
@@ -80,10 +91,23 @@ bool vtkiInterpolateSubsplat(ivec2 texel, vtkiTangentPlane plane, bool trusted,
             acrossY.vectorIrradiance, acrossY.counts));
     return true;
   }
+#ifdef VTKI_NEAREST
+  float weights = own.weight + x.weight + y.weight + acrossX.weight + acrossY.weight;
+  float perWeight = 1.0f / max(weights, 1.0e-30f);
+  irradiance = perWeight *
+    (own.weight * own.irradiance + x.weight * x.irradiance + y.weight * y.irradiance +
+      acrossX.weight * acrossX.irradiance + acrossY.weight * acrossY.irradiance);
+  vectorIrradiance = perWeight *
+    (own.weight * own.vectorIrradiance + x.weight * x.vectorIrradiance +
+      y.weight * y.vectorIrradiance + acrossX.weight * acrossX.vectorIrradiance +
+      acrossY.weight * acrossY.vectorIrradiance);
+  return false;
+#else
   float weightX = x.counts ? 1.0f : 0.0f;
   float weightY = y.counts ? 1.0f : 0.0f;
   float scale = 1.0f / max(weightX + weightY, 1.0f);
   irradiance = scale * (weightX * x.irradiance + weightY * y.irradiance);
   vectorIrradiance = scale * (weightX * x.vectorIrradiance + weightY * y.vectorIrradiance);
   return x.counts || y.counts;
+#endif
 }

@@ -28,7 +28,7 @@ void main()
   vtkiEvaluateStored(position, normal, vtkiTexelFacet(texel, normal), vtkiTexelPixel(texel), leaf, evaluated, evaluatedVector);
   irradiance = leaf ? evaluated : irradiance;
   vectorIrradiance = leaf ? evaluatedVector : vectorIrradiance;
-#else
+#elif !defined(VTKI_NEAREST)
   irradiance = leaf ? vec3(0.0f) : irradiance;
   vectorIrradiance = leaf ? vec3(0.0f) : vectorIrradiance;
 #endif

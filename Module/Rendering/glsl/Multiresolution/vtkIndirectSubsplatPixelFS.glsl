@@ -22,7 +22,13 @@ void main()
     vtkiMakeTangentPlane(
       position, normal, vtkiSurfaceCode(surface), vtkiSurfaceDepth(surface), vtkiCoarserEdge),
     vtkiSplits, irradiance, vectorIrradiance);
-  if (vtkiCorrectNormals)
+#ifdef VTKI_NEAREST
+  // The normal of a sample on another surface says nothing about the pixel's.
+  bool corrects = vtkiCorrectNormals && interpolated;
+#else
+  bool corrects = vtkiCorrectNormals;
+#endif
+  if (corrects)
   {
     irradiance *=
       vtkiNormalCorrection(vtkiLuminance(irradiance), dot(normal, vectorIrradiance));
@@ -33,7 +39,7 @@ void main()
   vec3 evaluatedVector;
   vtkiEvaluateStored(position, normal, vtkiSurfaceFacet(surface), pixel, evaluate, evaluated, evaluatedVector);
   irradiance = evaluate ? evaluated : irradiance;
-#else
+#elif !defined(VTKI_NEAREST)
   irradiance = vtkiSplits && split ? vec3(0.0f) : irradiance;
 #endif
   gl_FragData[0] = vec4(irradiance * vtkiDetail(ndc, normal), 1.0f);

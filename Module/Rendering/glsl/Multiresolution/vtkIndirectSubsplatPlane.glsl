@@ -30,3 +30,16 @@ bool vtkiIsOnPlane(vtkiTangentPlane plane, vec2 center, vec4 surface)
   vec2 turn = surface.xy - plane.octahedral;
   return abs(distance) <= plane.tolerance && dot(turn, turn) <= vtkiSameNormal * vtkiSameNormal;
 }
+
+// Returns a weight that falls with the distance and the turn from the plane, both in units of their
+// tolerances.
+float vtkiNearness(vtkiTangentPlane plane, vec2 center, vec4 surface)
+{
+  vec3 ray = vec3(center, 1.0f);
+  float distance =
+    dot(plane.alongOrigin, ray) + surface.z * dot(plane.alongDirection, ray) - plane.offset;
+  vec2 turn = surface.xy - plane.octahedral;
+  float apart = distance * distance / (plane.tolerance * plane.tolerance) +
+    dot(turn, turn) / (vtkiSameNormal * vtkiSameNormal);
+  return 1.0f / ((1.0f + apart) * (1.0f + apart));
+}

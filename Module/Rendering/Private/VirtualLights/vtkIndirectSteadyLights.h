@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Lights of senders whose strengths change from frame to frame, as those of directions in the world
+// do while lights turn with the camera. The clusters, the places and the shapes of the lights are
+// those under equal strengths, so that depth maps of the lights are kept. Each light and branch
+// keeps what it sends of a unit of each map (precomputed transfer: Sloan, Kautz, Snyder 2002,
+// "Precomputed radiance transfer for real-time rendering in dynamic, low-frequency lighting
+// environments"), and a frame sums these over the strengths.
+#pragma once
+
+#include "VirtualLights/vtkIndirectSampler.h"        // for rows
+#include "VirtualLights/vtkIndirectSenderClusters.h" // for lights
+
+#include <cstdint> // for numbers of maps
+
+class vtkIndirectSteadyLights
+{
+public:
+  /** Makes the lights of the clusters' senders, under `maps` maps; see MakeLights. */
+  void Make(vtkIndirectSenderClusters& clusters, size_t maps, int count, bool divides,
+    double nearness, int least);
+  /**
+   * Gives the lights the light of these strengths, one for each map. error: see
+   * vtkIndirectSenderClusters::MakeLights.
+   */
+  void Relight(const vtkIndirectSenderClusters& clusters, const std::vector<glm::dvec3>& strengths,
+    double error);
+  const std::vector<vtkIndirectSampler::Row>& GetLights() const { return this->Lights; }
+  const std::vector<vtkIndirectSampler::Row>& GetBranches() const { return this->Branches; }
+
+  size_t GetBytes() const;
+
+private:
+  struct Transfer
+  {
+    uint32_t Map;
+    glm::vec3 DensityArea; // of a strength of one
+  };
+  struct Node
+  {
+    vtkIndirectSenderClusters::Light Light;
+    std::vector<Transfer> Transfers;
+  };
+
+  void AddNodes(const vtkIndirectSenderClusters& clusters, size_t maps,
+    const std::vector<vtkIndirectSenderClusters::Light>& lights);
+
+  std::vector<Node> Nodes; // of lights, then of branches
+  std::vector<vtkIndirectSampler::Row> Lights;
+  std::vector<vtkIndirectSampler::Row> Branches;
+};
