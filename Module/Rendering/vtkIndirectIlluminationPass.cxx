@@ -360,6 +360,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   request.Settings = this->Settings;
   request.Circumstances.OwnDelegate = this->DelegatePass != nullptr;
   request.Circumstances.UpdateRate = window->GetDesiredUpdateRate();
+  request.Circumstances.OffScreen = window->GetOffScreenRendering() != 0;
   request.Circumstances.OtherAntialiasing =
     vtkIndirectRendererWork::FindAntialiasing(s, this->Settings.RemainingGeometry);
   if (in.Delegate.IsRefused(this->DelegatePass))

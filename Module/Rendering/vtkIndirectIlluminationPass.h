@@ -193,9 +193,10 @@ public:
    * mappers that draw such, for all estimators but radiance hints. MAPS: a depth map of each
    * virtual light, drawn by VTK's mappers and kept while the camera moves, for estimators that sum
    * virtual lights; others use voxels. A frame draws as many maps as the window's rate allows
-   * (vtkRenderWindow::SetDesiredUpdateRate), including those of the environment. The number
-   * follows from counts of maps, props and triangles, so that a busy machine draws the same
-   * picture. Until all maps are drawn, lights share them, as directions of the environment do, and
+   * (vtkRenderWindow::SetDesiredUpdateRate), including those of the environment, and all of them in
+   * a window off screen of a rate of 0.001 or less, as VTK's default of 0.0001. The number follows
+   * from counts of maps, props and triangles, so that a busy machine draws the same picture. Until
+   * all maps are drawn, lights share them, as directions of the environment do, and
    * the report says so. AUTO (default): maps if the estimator can use them, voxels for radiance
    * hints, none for others and with the preset PAPER.
    */

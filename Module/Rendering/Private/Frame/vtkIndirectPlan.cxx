@@ -10,6 +10,8 @@
 namespace
 {
 constexpr int MostMapTexels = 2048;
+// VTK's own DesiredUpdateRate of windows that nobody has set is 0.0001.
+constexpr double RateOfNobody = 0.001;
 // RMS error over the mean of the sky's light under spheres: 0.041 to 0.056 on scenes of spheres
 // (Documentation/methods/sphere-proxies.md).
 constexpr double ErrorOfSpheres = 0.05;
@@ -31,8 +33,12 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   {
     triangles += caster.Triangles;
   }
-  plan.TilesPerFrame = FindTilesPerFrame(
-    triangles, static_cast<double>(frame.Casters.size()), circumstances.UpdateRate);
+  // A picture that goes to a file is whole; applications that show such pictures set a rate.
+  if (!circumstances.OffScreen || circumstances.UpdateRate > RateOfNobody)
+  {
+    plan.TilesPerFrame = FindTilesPerFrame(
+      triangles, static_cast<double>(frame.Casters.size()), circumstances.UpdateRate);
+  }
   plan.NumberOfBounces =
     std::min(std::max(settings.NumberOfBounces, 1), estimator.MaximumNumberOfBounces);
   const int emitters = static_cast<int>(frame.Lights.size()) + circumstances.NumberOfOtherEmitters +

@@ -87,6 +87,8 @@ struct vtkIndirectCircumstances
    * machine draws the same picture as an idle one.
    */
   double UpdateRate = 0.0001;
+  /** The window shows nothing on a screen: nobody sees how its pictures are completed. */
+  bool OffScreen = false;
 };
 
 struct vtkIndirectPlan
