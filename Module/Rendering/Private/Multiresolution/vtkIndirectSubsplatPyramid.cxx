@@ -53,6 +53,8 @@ bool vtkIndirectSubsplatPyramid::Resize(
     this->Levels.clear();
     this->DepthRange = settings.DepthRange;
   }
+  // The coarsest level is split into leaves, of the finest level at least.
+  const size_t least = static_cast<size_t>(std::max(settings.FinestLevel + 1, 2));
   int width = size[0];
   int height = size[1];
   size_t count = 0;
@@ -69,7 +71,7 @@ bool vtkIndirectSubsplatPyramid::Resize(
     {
       return false;
     }
-  } while (2 * std::max(width, height) > settings.CoarsestResolution || count < 2);
+  } while (2 * std::max(width, height) > settings.CoarsestResolution || count < least);
   this->Levels.resize(count);
 
   const bool probes = settings.LightingThreshold > 0.0 || settings.ReportsError;

@@ -60,12 +60,7 @@ void vtkIndirectSubsplatSum::AddSettings(
   const auto& set = this->Set.Settings;
   const double tolerance = plan ? plan->EstimatorErrorTolerance : 0.0;
   this->vtkIndirectSum::AddSettings(list, plan);
-  const bool turns =
-    plan && plan->Interactive && plan->LightsTurn && !this->Set.Details->DepthRange;
-  list
-    .Add("FinestLevel",
-      Choice{ FinestLevels[turns ? vtkMultiresolutionSplattingPass::EIGHTH_RESOLUTION
-                                 : set.FinestLevel] })
+  list.Add("FinestLevel", Choice{ FinestLevels[this->FindFinestLevel(plan)] })
     .Add("FormFactor", Choice{ FormFactors[set.FormFactor] })
     .Add("DepthThreshold", set.DepthThreshold.Scale(tolerance))
     .Add("PlaneThreshold", set.PlaneThreshold.Scale(tolerance))
@@ -115,19 +110,32 @@ double vtkIndirectSubsplatSum::FindErrorTolerance(double asked) const
 }
 
 //------------------------------------------------------------------------------
+// Light that surfaces reflect of lights that turn with the camera is a mild part of all light. On six
+// scenes blocks of 4 x 4 pixels raise the difference of a still picture to one of more lights from
+// 1.02 to 1.13 grey levels RMS of 256; blocks of 8 x 8 change moving pictures of larger surfaces by
+// less than 0.05. Orbits take 0.35 to 0.8 of the time, moving frames 0.4 to 0.6.
+bool vtkIndirectSubsplatSum::IsCoarse(const vtkIndirectPlan* plan) const
+{
+  return plan && plan->LightsTurn && !this->Set.Details->DepthRange;
+}
+
+//------------------------------------------------------------------------------
+int vtkIndirectSubsplatSum::FindFinestLevel(const vtkIndirectPlan* plan) const
+{
+  const int coarse = !this->IsCoarse(plan) ? vtkMultiresolutionSplattingPass::FULL_RESOLUTION
+    : plan->Interactive                    ? vtkMultiresolutionSplattingPass::EIGHTH_RESOLUTION
+                                           : vtkMultiresolutionSplattingPass::QUARTER_RESOLUTION;
+  return std::max(this->Set.Settings.FinestLevel, coarse);
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectSubsplatSettings vtkIndirectSubsplatSum::MakeSettings(const Input& input) const
 {
   const vtkIndirectSubsplatDetails& details = *this->Set.Details;
   vtkIndirectSubsplatSettings settings;
   static_cast<vtkIndirectSubsplatDetails&>(settings) = details;
-  settings.FinestLevel = this->Set.Settings.FinestLevel;
-  // Reflected light of lights that turn with the camera is a mild part of all their light: blocks
-  // of 8 x 8 pixels change a moving picture by less than 0.05 grey levels of 256.
-  settings.TakesNearest = input.Plan.Interactive && input.Plan.LightsTurn && !details.DepthRange;
-  if (settings.TakesNearest)
-  {
-    settings.FinestLevel = vtkMultiresolutionSplattingPass::EIGHTH_RESOLUTION;
-  }
+  settings.TakesNearest = this->IsCoarse(&input.Plan);
+  settings.FinestLevel = this->FindFinestLevel(&input.Plan);
   settings.PointFormFactor =
     this->Set.Settings.FormFactor == vtkMultiresolutionSplattingPass::POINT;
   settings.SurfaceDetail = this->Set.Settings.SurfaceDetail;

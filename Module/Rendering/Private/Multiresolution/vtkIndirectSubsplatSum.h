@@ -37,6 +37,9 @@ private:
    * set.
    */
   std::vector<std::string> FindOwnThresholds() const;
+  bool IsCoarse(const vtkIndirectPlan* plan) const;
+  /** Returns the finest level in force; null: the one that is set. */
+  int FindFinestLevel(const vtkIndirectPlan* plan) const;
   vtkIndirectSubsplatSettings MakeSettings(const Input& input) const;
   bool Fill(
     const Input& input, const vtkIndirectSubsplatSettings& settings, vtkIndirectTarget& pixels);

@@ -19,7 +19,7 @@ constexpr int TexelsOfMaps = 64;
 constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
 // The least number of steady lights, as of automatic ones. See
 // Documentation/methods/light-tree.md.
-constexpr int LeastSteadyLights = 128;
+constexpr int LeastSteadyLights = 64;
 
 // Tells whether two lights have the same maps.
 bool HaveSameMaps(const vtkIndirectLight& a, const vtkIndirectLight& b)
@@ -37,7 +37,7 @@ bool HaveSameNumber(const vtkIndirectLight& a, const vtkIndirectLight& b)
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::Follow(const vtkIndirectSamplerAbilities& sampler, bool steady)
 {
-  this->NumberOfLights = sampler.NumberOfLights;
+  this->NumberOfLights = steady ? std::max(sampler.NumberOfLights / 2, 1) : sampler.NumberOfLights;
   if (sampler.Divides != this->Divides || steady != this->Steady)
   {
     ++this->SourceTime;
