@@ -193,7 +193,8 @@ VTK_INDIRECT_TEST(LightingTurns)
       view.Grab();
       const Floats before = Read(pass, "sky");
       const long long tiles = CountOf(pass, "sky_tiles_drawn");
-      CONTRACT_CHECK(tiles > 100, "maps of lighting " << preset << ": " << tiles);
+      // The least number of directions of a sky beside lights that nothing hides is 64.
+      CONTRACT_CHECK(tiles >= 64, "maps of lighting " << preset << ": " << tiles);
       view.Grab();
       const long long builds = CountOf(pass, "shader_builds");
       for (int i = 0; i < 8; ++i)
