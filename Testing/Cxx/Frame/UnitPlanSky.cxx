@@ -160,3 +160,32 @@ VTK_INDIRECT_TEST(PlanSkyDirections)
     }
   }
 }
+
+// Light that nothing hides leaves a sky a smaller share, and errors of a share count less.
+VTK_INDIRECT_TEST(PlanSkyBesideFills)
+{
+  vtkIndirectCircumstances sky;
+  sky.Environment = true;
+  sky.EnvironmentIrradiance = 0.25;
+  vtkIndirectLight fill = MakeLight(0.75);
+  fill.Fill = true;
+  vtkIndirectSettings settings;
+  auto make = [&](const std::vector<vtkIndirectLight>& lights, double rate)
+  {
+    sky.UpdateRate = rate;
+    return vtkIndirectPlan::Make(MakeFrame(lights), settings, {}, sky);
+  };
+  CheckEqual("alone", make({}, 0.0001).NumberOfSkyDirections, 256);
+  CheckEqual(
+    "beside a light with shadows", make({ MakeLight() }, 0.0001).NumberOfSkyDirections, 256);
+  CheckEqual("a quarter of all light", make({ fill }, 0.0001).NumberOfSkyDirections, 64);
+  CheckEqual("as many as of a moving frame", make({ fill }, 15.0).NumberOfSkyDirections, 64);
+  fill.Color = glm::dvec3(0.25);
+  const vtkIndirectPlan half = make({ fill }, 0.0001);
+  CheckEqual("a half", half.NumberOfSkyDirections, 128);
+  CheckRelative("its tolerance", half.SkyErrorTolerance, 0.07, 1e-12, "rounding");
+  fill.Color = glm::dvec3(100.0);
+  CheckEqual("at least", make({ fill }, 0.0001).NumberOfSkyDirections, 64);
+  settings.ErrorTolerance = 0.035;
+  CheckEqual("a tolerance that is set holds", make({ fill }, 0.0001).NumberOfSkyDirections, 256);
+}

@@ -15,6 +15,18 @@ constexpr double RateOfNobody = 0.001;
 // RMS error over the mean of the sky's light under spheres: 0.041 to 0.056 on scenes of spheres
 // (Documentation/methods/sphere-proxies.md).
 constexpr double ErrorOfSpheres = 0.05;
+
+// Returns the share of the sky in the light of surfaces that nothing else hides: the lights without
+// shadows, which presets keep, light what the sky lights.
+double FindShareOfSky(const vtkIndirectFrame& frame, double sky)
+{
+  double fill = 0.0;
+  for (const vtkIndirectLight& light : frame.Lights)
+  {
+    fill += light.Fill ? std::max({ light.Color.x, light.Color.y, light.Color.z }) : 0.0;
+  }
+  return sky > 0.0 ? sky / (sky + fill) : 1.0;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -145,7 +157,7 @@ void vtkIndirectPlan::ReportTolerances(const vtkIndirectAbilities& estimator)
   {
     if (isThere && tolerance > 0.0)
     {
-      why += (why.empty() ? "" : ", ") + vtkIndirectReport::Number(tolerance) + " of " + part;
+      why += (why.empty() ? "" : ", ") + vtkIndirectReport::Number(tolerance, 4) + " of " + part;
     }
   };
   add(this->Irradiance && estimator.TakesSampler, this->ErrorTolerance, "virtual lights");
@@ -211,12 +223,21 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
     this->LeftOut.emplace_back("bounces of light from the sky",
       estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark");
   }
-  this->NumberOfStillSkyDirections = FindSkyDirections(this->SkyErrorTolerance);
+  // With fewer than 64 directions edges of their shadows show.
+  constexpr int fewest = 64;
+  const int directions = FindSkyDirections(this->SkyErrorTolerance);
+  if (!this->ErrorToleranceIsSet)
+  {
+    this->SkyErrorTolerance /= FindShareOfSky(frame, circumstances.EnvironmentIrradiance);
+  }
+  this->NumberOfStillSkyDirections =
+    std::max(FindSkyDirections(this->SkyErrorTolerance), std::min(directions, fewest));
   this->NumberOfSkyDirections = this->NumberOfStillSkyDirections;
   if (this->Interactive)
   {
     // A moving frame sums a quarter of the directions, and a pixel sixteen or thirty-two of them.
-    this->NumberOfSkyDirections = std::max(this->NumberOfStillSkyDirections / 4, 16);
+    this->NumberOfSkyDirections =
+      std::min(std::max(directions / 4, 16), this->NumberOfStillSkyDirections);
     this->SkyBlock = this->NumberOfSkyDirections >= 256 ? 4
       : this->NumberOfSkyDirections >= 64               ? 2
                                                         : 1;
