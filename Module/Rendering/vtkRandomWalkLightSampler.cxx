@@ -36,11 +36,12 @@ constexpr int MostVertices = 1048576;
 constexpr double SmoothingOfLaterBounces = 8.0;
 
 // Makes a key of the inputs of the paths, except the surfaces.
-vtkIndirectKey MakeKey(const vtkIndirectFrame& frame, const vtkIndirectEmitters::List& emitters,
-  const vtkIndirectRandomWalk::Settings& settings)
+vtkIndirectKey MakeKey(const vtkIndirectSampler::Input& input,
+  const vtkIndirectEmitters::List& emitters, const vtkIndirectRandomWalk::Settings& settings)
 {
   vtkIndirectKey key;
-  frame.Seen.Box.AppendTo(key);
+  input.Frame.Seen.Box.AppendTo(key);
+  key.Add("lights turn", input.LightsTurn);
   key.Add("number of vertices", settings.NumberOfVertices);
   key.Add("bounces", settings.FirstBounce).Add("bounces", settings.LastBounce);
   for (const vtkIndirectLight& emitter : emitters)
@@ -156,14 +157,14 @@ bool WalkLights::Walk(const Input& input)
   settings.FirstBounce = this->Set.GetFirstBounce();
   settings.LastBounce = input.NumberOfBounces;
   const bool moved = this->SurfacesTime != input.Surfaces->GetTime();
-  vtkIndirectKey key = MakeKey(input.Frame, emitters, settings);
+  vtkIndirectKey key = MakeKey(input, emitters, settings);
   bool same = !moved && key == this->WalkKey;
   bool coarse = false;
   if (!same && input.Interactive && this->Set.GetNumberOfVertices() > 0)
   {
     settings.NumberOfVertices = std::max(this->Set.GetNumberOfVertices() / FewerWhileMoving, 1);
     coarse = true;
-    key = MakeKey(input.Frame, emitters, settings);
+    key = MakeKey(input, emitters, settings);
     same = !moved && key == this->WalkKey;
   }
   const int next = this->Frames + (input.Interactive ? 0 : 1);

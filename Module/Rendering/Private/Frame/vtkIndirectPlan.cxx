@@ -36,7 +36,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
 {
   vtkIndirectPlan plan;
   plan.Caching = settings.Caching;
-  plan.FindTolerances(settings, estimator);
+  plan.FindTolerances(frame, settings, estimator, circumstances);
   plan.IndirectScale = settings.IndirectScale;
   plan.Interactive = IsInteractive(circumstances.UpdateRate);
   plan.WaitsForMaps = settings.MapsFirst && settings.Caching && !plan.Interactive;
@@ -136,13 +136,19 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
 
 //------------------------------------------------------------------------------
 // Resolves ErrorTolerance 0, for which each part of the light has a standard tolerance of its own.
-void vtkIndirectPlan::FindTolerances(
-  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
+void vtkIndirectPlan::FindTolerances(const vtkIndirectFrame& frame,
+  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
+  const vtkIndirectCircumstances& circumstances)
 {
   this->ErrorToleranceIsSet = settings.ErrorTolerance > 0.0;
   if (this->ErrorToleranceIsSet)
   {
     this->ErrorTolerance = this->SkyErrorTolerance = settings.ErrorTolerance;
+  }
+  else
+  {
+    this->SkyErrorTolerance =
+      StandardSkyErrorTolerance / FindShareOfSky(frame, circumstances.EnvironmentIrradiance);
   }
   this->EstimatorErrorTolerance = estimator.ErrorTolerance;
 }
@@ -223,21 +229,14 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
     this->LeftOut.emplace_back("bounces of light from the sky",
       estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark");
   }
-  // With fewer than 64 directions edges of their shadows show.
-  constexpr int fewest = 64;
-  const int directions = FindSkyDirections(this->SkyErrorTolerance);
-  if (!this->ErrorToleranceIsSet)
-  {
-    this->SkyErrorTolerance /= FindShareOfSky(frame, circumstances.EnvironmentIrradiance);
-  }
-  this->NumberOfStillSkyDirections =
-    std::max(FindSkyDirections(this->SkyErrorTolerance), std::min(directions, fewest));
+  // With fewer than 64 directions edges of their shadows show, which a tolerance may allow.
+  const int fewest = this->ErrorToleranceIsSet ? 16 : 64;
+  this->NumberOfStillSkyDirections = std::max(FindSkyDirections(this->SkyErrorTolerance), fewest);
   this->NumberOfSkyDirections = this->NumberOfStillSkyDirections;
   if (this->Interactive)
   {
     // A moving frame sums a quarter of the directions, and a pixel sixteen or thirty-two of them.
-    this->NumberOfSkyDirections =
-      std::min(std::max(directions / 4, 16), this->NumberOfStillSkyDirections);
+    this->NumberOfSkyDirections = std::max(this->NumberOfStillSkyDirections / 4, fewest);
     this->SkyBlock = this->NumberOfSkyDirections >= 256 ? 4
       : this->NumberOfSkyDirections >= 64               ? 2
                                                         : 1;

@@ -110,8 +110,8 @@ double vtkIndirectSubsplatSum::FindErrorTolerance(double asked) const
 }
 
 //------------------------------------------------------------------------------
-// Light that surfaces reflect of lights that turn with the camera is a mild part of all light. On six
-// scenes blocks of 4 x 4 pixels raise the difference of a still picture to one of more lights from
+// Reflected light of lights that turn with the camera is a mild part of all light. On six scenes
+// blocks of 4 x 4 pixels raise the difference of a still picture to one of more lights from
 // 1.02 to 1.13 grey levels RMS of 256; blocks of 8 x 8 change moving pictures of larger surfaces by
 // less than 0.05. Orbits take 0.35 to 0.8 of the time, moving frames 0.4 to 0.6.
 bool vtkIndirectSubsplatSum::IsCoarse(const vtkIndirectPlan* plan) const

@@ -220,7 +220,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
   vtkEnvironmentLight* const sky = this->Plan.SkyBounces ? this->Environment : nullptr;
   vtkIndirectKey source;
-  source.Add("sky", sky).Add("lights turn", this->Plan.LightsTurn);
+  source.Add("sky", sky);
   vtkIndirectEmitters::List turning;
   for (const vtkIndirectLight& light : this->Frame.Lights)
   {
@@ -239,8 +239,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
     vtkIndirectEmitters::List emitters;
     if (sky || this->Plan.LightsTurn)
     {
-      vtkIndirectEmitters::AddDirections(
-        emitters, this->SkyProjection, sky, this->Plan.LightsTurn ? &turning : nullptr);
+      vtkIndirectEmitters::AddDirections(emitters, this->SkyProjection, sky, turning);
     }
     if (this->Plan.AreaLightsBounce)
     {

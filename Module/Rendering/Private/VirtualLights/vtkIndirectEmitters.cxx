@@ -79,7 +79,7 @@ void JoinAlike(vtkIndirectEmitters::List& list, size_t most)
 
 //------------------------------------------------------------------------------
 void vtkIndirectEmitters::AddDirections(List& emitters, vtkIndirectSkyProjection& projection,
-  vtkEnvironmentLight* environment, const List* turning)
+  vtkEnvironmentLight* environment, const List& turning)
 {
   const vtkIndirectSkyProjection::Result dark;
   const vtkIndirectSkyProjection::Result& sky = environment ? projection.Find(environment) : dark;
@@ -109,21 +109,17 @@ void vtkIndirectEmitters::AddDirections(List& emitters, vtkIndirectSkyProjection
       all[vtkIndirectDirections::FindNearest(sky.Directions[i], coarse)].Color += strength;
     }
   }
-  if (turning)
+  for (const vtkIndirectLight& light : turning)
   {
-    for (const vtkIndirectLight& light : *turning)
+    for (const auto& [number, weight] :
+      vtkIndirectDirections::FindAround(-light.DirectionWC, coarse))
     {
-      for (const auto& [number, weight] :
-        vtkIndirectDirections::FindAround(-light.DirectionWC, coarse))
-      {
-        all[number].Color += weight * light.Color;
-      }
+      all[number].Color += weight * light.Color;
     }
-    emitters.insert(emitters.end(), all.begin(), all.end());
-    return;
   }
   std::copy_if(all.begin(), all.end(), std::back_inserter(emitters),
-    std::mem_fn(&vtkIndirectLight::IsReflected));
+    [&turning](const vtkIndirectLight& emitter)
+    { return emitter.IsReflected() || !turning.empty(); });
 }
 
 //------------------------------------------------------------------------------

@@ -25,12 +25,12 @@ constexpr int NumberOfSkyGroups = 32;
  * world, and they hold all of the sky's light. A direction with more light than a group's mean
  * share, such as a sun's, is a group of its own. Reflected light is a mean over many senders, so it
  * needs fewer directions than received light. environment: null if there is no sky.
- *   turning: directional lights that turn with the camera; null if there are none. The three
+ *   turning: directional lights that turn with the camera, if there are such. The three
  * directions around a light get its light, so that surfaces that see all three receive what the
  * light gives them. Then groups without light are added, too: they may get light in another view.
  */
 void AddDirections(List& emitters, vtkIndirectSkyProjection& projection,
-  vtkEnvironmentLight* environment, const List* turning = nullptr);
+  vtkEnvironmentLight* environment, const List& turning = {});
 
 /** Largest number of pieces of area lights: each has a map of five faces. */
 constexpr size_t MostPieces = 64;

@@ -17,8 +17,8 @@ namespace
 constexpr int TexelsOfMaps = 64;
 // Maps of directions without light are dropped if there are more maps than this.
 constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
-// The least number of steady lights, as of automatic ones. See
-// Documentation/methods/light-tree.md.
+// The least number of steady lights: half of that of automatic numbers, as NumberOfLights is
+// halved.
 constexpr int LeastSteadyLights = 64;
 
 // Tells whether two lights have the same maps.
@@ -37,6 +37,8 @@ bool HaveSameNumber(const vtkIndirectLight& a, const vtkIndirectLight& b)
 //------------------------------------------------------------------------------
 void vtkIndirectSenderSampler::Follow(const vtkIndirectSamplerAbilities& sampler, bool steady)
 {
+  // Reflected light of emitters that turn is a mild part of all light: on six scenes pictures of
+  // half as many lights differ by as little from those of many.
   this->NumberOfLights = steady ? std::max(sampler.NumberOfLights / 2, 1) : sampler.NumberOfLights;
   if (sampler.Divides != this->Divides || steady != this->Steady)
   {
@@ -173,6 +175,7 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
   else
   {
     this->FromMaps = {};
+    this->SteadyLights = {};
     this->Clusters.SetSenders(std::move(senders));
   }
   return true;
@@ -192,51 +195,44 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     }
     this->SendersTime = this->Maps.GetContentTime();
   }
+  const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
   if (this->Steady)
   {
-    return this->UpdateSteady(input, anew);
+    const bool same = this->MakeSteadyLights(input, anew);
+    if (same && this->MadeTime == this->SourceTime && this->MadeError == error)
+    {
+      return true;
+    }
+    return this->WriteLights(
+      input, this->SteadyLights.Relight(this->Clusters, this->FindStrengths(), error), error);
   }
   if (!anew && this->MadeTime == this->SourceTime && this->MadeCount == this->NumberOfLights &&
     this->Clusters.GetSeen() == input.Frame.Seen.Box)
   {
     return true;
   }
-  this->MadeTime = 0;
-  std::vector<glm::dvec3> strengths;
-  for (const vtkIndirectLight& emitter : this->Emitters)
-  {
-    strengths.push_back(emitter.Color);
-  }
-  const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
   this->Clusters.SetSeen(input.Frame.Seen.Box);
-  const vtkIndirectSenderClusters::LightTree lights =
-    this->Clusters.MakeLights(strengths, this->NumberOfLights, this->Divides ? error : 0.0);
-  if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Lights),
-        vtkIndirectSenderTexels::MakeRows(lights.Branches)))
-  {
-    return false;
-  }
-  this->MadeTime = this->SourceTime;
   this->MadeCount = this->NumberOfLights;
-  return true;
+  return this->WriteLights(input,
+    this->Clusters.MakeLights(
+      this->FindStrengths(), this->NumberOfLights, this->Divides ? error : 0.0),
+    error);
 }
 
 //------------------------------------------------------------------------------
-// Brings steady lights up to date. anew: the maps' senders are new.
-bool vtkIndirectSenderSampler::UpdateSteady(const Input& input, bool anew)
+// Makes the steady lights anew, but for their light, unless they hold; returns true if they do.
+// anew: the maps' senders are new.
+bool vtkIndirectSenderSampler::MakeSteadyLights(const Input& input, bool anew)
 {
   const vtkIndirectFurtherSenders* further = input.Further;
   const size_t furtherTime = further ? further->Time : 0;
   const bool joined = !anew && this->FurtherTime == furtherTime;
   // While the camera moves, lights stay.
   const bool seen = this->Clusters.GetSeen() == input.Frame.Seen.Box || input.Interactive;
-  const bool made = joined && seen && this->MadeCount == this->NumberOfLights;
-  const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
-  if (made && this->MadeTime == this->SourceTime && this->MadeError == error)
+  if (joined && seen && this->MadeCount == this->NumberOfLights)
   {
     return true;
   }
-  this->MadeTime = 0;
   if (!joined)
   {
     std::vector<vtkIndirectSenderClusters::Sender> senders = this->FromMaps;
@@ -247,23 +243,34 @@ bool vtkIndirectSenderSampler::UpdateSteady(const Input& input, bool anew)
     this->Clusters.SetSenders(std::move(senders));
     this->FurtherTime = furtherTime;
   }
-  if (!made)
-  {
-    this->Clusters.SetSeen(input.Frame.Seen.Box);
-    this->SteadyLights.Make(this->Clusters, this->Emitters.size(), this->NumberOfLights,
-      this->Divides,
-      further ? vtkIndirectSenderClusters::NearnessOfBounces
-              : vtkIndirectSenderClusters::StandardNearness,
-      LeastSteadyLights);
-    this->MadeCount = this->NumberOfLights;
-  }
+  this->Clusters.SetSeen(input.Frame.Seen.Box);
+  this->SteadyLights.Make(this->Clusters, this->Emitters.size(), this->NumberOfLights,
+    this->Divides,
+    further ? vtkIndirectSenderClusters::NearnessOfBounces
+            : vtkIndirectSenderClusters::StandardNearness,
+    LeastSteadyLights);
+  this->MadeCount = this->NumberOfLights;
+  return false;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::dvec3> vtkIndirectSenderSampler::FindStrengths() const
+{
   std::vector<glm::dvec3> strengths;
   for (const vtkIndirectLight& emitter : this->Emitters)
   {
     strengths.push_back(emitter.Color);
   }
-  this->SteadyLights.Relight(this->Clusters, strengths, error);
-  if (!this->Write(input.Frame, this->SteadyLights.GetLights(), this->SteadyLights.GetBranches()))
+  return strengths;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSenderSampler::WriteLights(
+  const Input& input, const vtkIndirectSenderClusters::LightTree& lights, double error)
+{
+  this->MadeTime = 0;
+  if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Lights),
+        vtkIndirectSenderTexels::MakeRows(lights.Branches)))
   {
     return false;
   }

@@ -26,7 +26,7 @@ public:
   /**
    * Makes as many lights as the frame's sampler, and divides them if that sampler does. steady: the
    * emitters' light changes from frame to frame, and lights stay in place
-   * (vtkIndirectSteadyLights); then they also represent later bounces.
+   * (vtkIndirectSteadyLights); then they are half as many, and represent later bounces, too.
    */
   void Follow(const vtkIndirectSamplerAbilities& sampler, bool steady);
 
@@ -60,7 +60,10 @@ protected:
 private:
   bool UpdateScene(const vtkIndirectFrame& frame);
   bool ReadSenders(const Input& input);
-  bool UpdateSteady(const Input& input, bool anew);
+  bool MakeSteadyLights(const Input& input, bool anew);
+  std::vector<glm::dvec3> FindStrengths() const;
+  bool WriteLights(
+    const Input& input, const vtkIndirectSenderClusters::LightTree& lights, double error);
 
   vtkIndirectLightMaps Maps{ this };
   vtkIndirectSenderTexels Texels;

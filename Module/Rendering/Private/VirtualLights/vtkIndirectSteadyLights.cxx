@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VirtualLights/vtkIndirectSteadyLights.h"
 
-#include "VirtualLights/vtkIndirectSenderTexels.h"
 #include "vtkSMPTools.h"
 
 namespace
@@ -11,20 +10,17 @@ constexpr double LeastError = 1e-9;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSteadyLights::AddNodes(const vtkIndirectSenderClusters& clusters, size_t maps,
-  const std::vector<vtkIndirectSenderClusters::Light>& lights)
+vtkIndirectSteadyLights::Transfers vtkIndirectSteadyLights::FindTransfers(
+  const vtkIndirectSenderClusters& clusters, size_t maps, const std::vector<Light>& lights)
 {
-  const size_t first = this->Nodes.size();
-  this->Nodes.resize(first + lights.size());
+  Transfers transfers(lights.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(lights.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       std::vector<glm::dvec3> sums(maps);
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const vtkIndirectSenderClusters::Light& light = lights[static_cast<size_t>(i)];
-        Node& node = this->Nodes[first + static_cast<size_t>(i)];
-        node.Light = light;
+        const Light& light = lights[static_cast<size_t>(i)];
         sums.assign(maps, glm::dvec3(0.0));
         for (size_t place = light.Begin; place < light.End; ++place)
         {
@@ -35,70 +31,81 @@ void vtkIndirectSteadyLights::AddNodes(const vtkIndirectSenderClusters& clusters
         {
           if (sums[map] != glm::dvec3(0.0))
           {
-            node.Transfers.push_back({ static_cast<uint32_t>(map), glm::vec3(sums[map]) });
+            transfers[static_cast<size_t>(i)].push_back(
+              { static_cast<uint32_t>(map), glm::vec3(sums[map]) });
           }
         }
       }
     });
+  return transfers;
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectSteadyLights::Make(vtkIndirectSenderClusters& clusters, size_t maps, int count,
   bool divides, double nearness, int least)
 {
-  const vtkIndirectSenderClusters::LightTree tree =
-    clusters.MakeLights(std::vector<glm::dvec3>(maps, glm::dvec3(1.0)), count,
-      divides ? LeastError : 0.0, nearness, least);
-  this->Nodes.clear();
-  this->AddNodes(clusters, maps, tree.Lights);
-  this->AddNodes(clusters, maps, tree.Branches);
-  this->Lights = vtkIndirectSenderTexels::MakeRows(tree.Lights);
-  this->Branches = vtkIndirectSenderTexels::MakeRows(tree.Branches);
+  this->Tree = clusters.MakeLights(std::vector<glm::dvec3>(maps, glm::dvec3(1.0)), count,
+    divides ? LeastError : 0.0, nearness, least);
+  this->OfLights = FindTransfers(clusters, maps, this->Tree.Lights);
+  this->OfBranches = FindTransfers(clusters, maps, this->Tree.Branches);
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSteadyLights::Relight(
-  const vtkIndirectSenderClusters& clusters, const std::vector<glm::dvec3>& strengths, double error)
+void vtkIndirectSteadyLights::SetDensities(
+  const Transfers& transfers, const std::vector<glm::dvec3>& strengths, std::vector<Light>& lights)
 {
   const std::vector<glm::vec3> factors(strengths.begin(), strengths.end());
-  double flux = 0.0;
-  for (size_t i = 0; i < this->Nodes.size(); ++i)
+  for (size_t i = 0; i < lights.size(); ++i)
   {
     glm::vec3 sent(0.0f);
-    for (const Transfer& transfer : this->Nodes[i].Transfers)
+    for (const Transfer& transfer : transfers[i])
     {
       sent += factors[transfer.Map] * transfer.DensityArea;
     }
-    this->Nodes[i].Light.DensityArea = glm::dvec3(sent);
-    flux += i < this->Lights.size()
-      ? glm::dot(this->Nodes[i].Light.DensityArea, glm::dvec3(1.0 / 3.0))
-      : 0.0;
+    lights[i].DensityArea = glm::dvec3(sent);
   }
-  const double limit = this->Branches.empty() ? 0.0 : error * clusters.FindMeanIrradiance(flux);
-  for (size_t i = 0; i < this->Nodes.size(); ++i)
+}
+
+//------------------------------------------------------------------------------
+// A distance below zero marks an unused place.
+void vtkIndirectSteadyLights::SetChildDistances(double limit, std::vector<Light>& lights)
+{
+  for (Light& light : lights)
   {
-    const vtkIndirectSenderClusters::Light& light = this->Nodes[i].Light;
-    vtkIndirectSampler::Row& row =
-      i < this->Lights.size() ? this->Lights[i] : this->Branches[i - this->Lights.size()];
-    for (int c = 0; c < 3; ++c)
-    {
-      row.DensityArea[c] = light.DensityArea[c];
-    }
-    // A distance below zero marks an unused place.
-    row.ChildDistance = light.ChildDistance < 0.0
+    light.ChildDistance = light.ChildDistance < 0.0
       ? light.ChildDistance
       : vtkIndirectSenderClusters::FindChildDistance(light, limit);
   }
 }
 
 //------------------------------------------------------------------------------
+const vtkIndirectSenderClusters::LightTree& vtkIndirectSteadyLights::Relight(
+  const vtkIndirectSenderClusters& clusters, const std::vector<glm::dvec3>& strengths, double error)
+{
+  SetDensities(this->OfLights, strengths, this->Tree.Lights);
+  SetDensities(this->OfBranches, strengths, this->Tree.Branches);
+  double flux = 0.0;
+  for (const Light& light : this->Tree.Lights)
+  {
+    flux += glm::dot(light.DensityArea, glm::dvec3(1.0 / 3.0));
+  }
+  const double limit =
+    this->Tree.Branches.empty() ? 0.0 : error * clusters.FindMeanIrradiance(flux);
+  SetChildDistances(limit, this->Tree.Lights);
+  SetChildDistances(limit, this->Tree.Branches);
+  return this->Tree;
+}
+
+//------------------------------------------------------------------------------
 size_t vtkIndirectSteadyLights::GetBytes() const
 {
-  size_t bytes = (this->Lights.size() + this->Branches.size()) *
-    (sizeof(vtkIndirectSampler::Row) + sizeof(Node));
-  for (const Node& node : this->Nodes)
+  size_t bytes = (this->Tree.Lights.size() + this->Tree.Branches.size()) * sizeof(Light);
+  for (const Transfers* all : { &this->OfLights, &this->OfBranches })
   {
-    bytes += node.Transfers.size() * sizeof(Transfer);
+    for (const std::vector<Transfer>& transfers : *all)
+    {
+      bytes += sizeof(transfers) + transfers.size() * sizeof(Transfer);
+    }
   }
   return bytes;
 }

@@ -7,7 +7,6 @@
 // environments"), and a frame sums these over the strengths.
 #pragma once
 
-#include "VirtualLights/vtkIndirectSampler.h"        // for rows
 #include "VirtualLights/vtkIndirectSenderClusters.h" // for lights
 
 #include <cstdint> // for numbers of maps
@@ -19,32 +18,30 @@ public:
   void Make(vtkIndirectSenderClusters& clusters, size_t maps, int count, bool divides,
     double nearness, int least);
   /**
-   * Gives the lights the light of these strengths, one for each map. error: see
+   * Returns the lights under these strengths, one for each map. error: see
    * vtkIndirectSenderClusters::MakeLights.
    */
-  void Relight(const vtkIndirectSenderClusters& clusters, const std::vector<glm::dvec3>& strengths,
-    double error);
-  const std::vector<vtkIndirectSampler::Row>& GetLights() const { return this->Lights; }
-  const std::vector<vtkIndirectSampler::Row>& GetBranches() const { return this->Branches; }
+  const vtkIndirectSenderClusters::LightTree& Relight(const vtkIndirectSenderClusters& clusters,
+    const std::vector<glm::dvec3>& strengths, double error);
 
   size_t GetBytes() const;
 
 private:
+  using Light = vtkIndirectSenderClusters::Light;
   struct Transfer
   {
     uint32_t Map;
     glm::vec3 DensityArea; // of a strength of one
   };
-  struct Node
-  {
-    vtkIndirectSenderClusters::Light Light;
-    std::vector<Transfer> Transfers;
-  };
+  using Transfers = std::vector<std::vector<Transfer>>; // of each light
 
-  void AddNodes(const vtkIndirectSenderClusters& clusters, size_t maps,
-    const std::vector<vtkIndirectSenderClusters::Light>& lights);
+  static Transfers FindTransfers(
+    const vtkIndirectSenderClusters& clusters, size_t maps, const std::vector<Light>& lights);
+  static void SetDensities(const Transfers& transfers, const std::vector<glm::dvec3>& strengths,
+    std::vector<Light>& lights);
+  static void SetChildDistances(double limit, std::vector<Light>& lights);
 
-  std::vector<Node> Nodes; // of lights, then of branches
-  std::vector<vtkIndirectSampler::Row> Lights;
-  std::vector<vtkIndirectSampler::Row> Branches;
+  vtkIndirectSenderClusters::LightTree Tree;
+  Transfers OfLights;
+  Transfers OfBranches;
 };

@@ -22,13 +22,8 @@ void main()
     vtkiMakeTangentPlane(
       position, normal, vtkiSurfaceCode(surface), vtkiSurfaceDepth(surface), vtkiCoarserEdge),
     vtkiSplits, irradiance, vectorIrradiance);
-#ifdef VTKI_NEAREST
   // The normal of a sample on another surface says nothing about the pixel's.
-  bool corrects = vtkiCorrectNormals && interpolated;
-#else
-  bool corrects = vtkiCorrectNormals;
-#endif
-  if (corrects)
+  if (vtkiCorrectNormals && interpolated)
   {
     irradiance *=
       vtkiNormalCorrection(vtkiLuminance(irradiance), dot(normal, vectorIrradiance));

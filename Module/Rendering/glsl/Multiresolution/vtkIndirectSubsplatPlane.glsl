@@ -22,11 +22,15 @@ vtkiTangentPlane vtkiMakeTangentPlane(
     octahedral, vtkiSamePlane * edge * vtkiPixelWidth(depth));
 }
 
-bool vtkiIsOnPlane(vtkiTangentPlane plane, vec2 center, vec4 surface)
+float vtkiPlaneDistance(vtkiTangentPlane plane, vec2 center, vec4 surface)
 {
   vec3 ray = vec3(center, 1.0f);
-  float distance =
-    dot(plane.alongOrigin, ray) + surface.z * dot(plane.alongDirection, ray) - plane.offset;
+  return dot(plane.alongOrigin, ray) + surface.z * dot(plane.alongDirection, ray) - plane.offset;
+}
+
+bool vtkiIsOnPlane(vtkiTangentPlane plane, vec2 center, vec4 surface)
+{
+  float distance = vtkiPlaneDistance(plane, center, surface);
   vec2 turn = surface.xy - plane.octahedral;
   return abs(distance) <= plane.tolerance && dot(turn, turn) <= vtkiSameNormal * vtkiSameNormal;
 }
@@ -35,9 +39,7 @@ bool vtkiIsOnPlane(vtkiTangentPlane plane, vec2 center, vec4 surface)
 // tolerances.
 float vtkiNearness(vtkiTangentPlane plane, vec2 center, vec4 surface)
 {
-  vec3 ray = vec3(center, 1.0f);
-  float distance =
-    dot(plane.alongOrigin, ray) + surface.z * dot(plane.alongDirection, ray) - plane.offset;
+  float distance = vtkiPlaneDistance(plane, center, surface);
   vec2 turn = surface.xy - plane.octahedral;
   float apart = distance * distance / (plane.tolerance * plane.tolerance) +
     dot(turn, turn) / (vtkiSameNormal * vtkiSameNormal);
