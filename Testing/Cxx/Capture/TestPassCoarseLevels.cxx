@@ -5,6 +5,9 @@
 #include "vtkIndirectGLNames.h"
 
 #include "vtkEnvironmentLight.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkLightKit.h"
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
@@ -112,6 +115,53 @@ VTK_INDIRECT_TEST(CoarseLevelsBesideALamp)
     CONTRACT_CHECK(Compare(direct, Read(view.Pass, "direct")).Max == 0.0, height << ": the light");
     CONTRACT_CHECK(Compare(lights, Read(view.Pass, "lights")).Max == 0.0, height << ": senders");
     CONTRACT_CHECK(Compare(map, Read(view.Pass, "rsm0.depth")).Max == 0.0, height << ": the map");
+  }
+}
+
+//------------------------------------------------------------------------------
+// Lights that follow the camera have maps of depths and slopes alone, drawn without mappers and in
+// motion from levels up to a texel off: shadows as those that the mappers draw for the same lights
+// at rest.
+VTK_INDIRECT_TEST(ShadowsOfTurningLights)
+{
+  for (const double rate : { 15.0, 0.0001 })
+  {
+    BallView view;
+    vtkNew<vtkLightKit> kit;
+    kit->AddLightsToRenderer(view.Renderer);
+    view.AddLevel();
+    view.Window->SetDesiredUpdateRate(rate);
+    view.Complete();
+    CONTRACT_CHECK(view.IsDrawn(), rate << ": " << view.What());
+    const Floats turning = Read(view.Pass, "direct");
+    vtkLightCollection* lights = view.Renderer->GetLights();
+    for (int i = 0; i < lights->GetNumberOfItems(); ++i)
+    {
+      auto* light = vtkLight::SafeDownCast(lights->GetItemAsObject(i));
+      double position[3];
+      double focal[3];
+      light->GetTransformedPosition(position);
+      light->GetTransformedFocalPoint(focal);
+      light->SetTransformMatrix(nullptr);
+      light->SetPosition(position);
+      light->SetFocalPoint(focal);
+      light->SetLightTypeToSceneLight();
+    }
+    view.Complete();
+    Read(view.Pass, "rsm4.density"); // now maps hold senders
+    const Floats resting = Read(view.Pass, "direct");
+    view.Pass->ShadowsOff();
+    view.Complete();
+    const Floats lit = Read(view.Pass, "direct");
+    CONTRACT_CHECK(Mean(lit, 0) > Mean(resting, 0) + 0.01, rate << ": no shadow");
+    size_t off = 0;
+    for (size_t i = 0; i < resting.Values.size(); ++i)
+    {
+      off += std::abs(turning.Values[i] - resting.Values[i]) > 0.01f ? 1 : 0;
+    }
+    // A pixel at the edge of a shadow: 0.03 %.
+    const double share = static_cast<double>(off) / static_cast<double>(resting.Values.size());
+    CONTRACT_CHECK(share < 0.005, rate << ": " << share << " are off");
   }
 }
 

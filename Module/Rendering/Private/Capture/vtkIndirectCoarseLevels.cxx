@@ -315,10 +315,10 @@ void vtkIndirectCoarseLevels::AddToReport(vtkIndirectReport& report) const
     report.Bytes += parts->PointBuffer ? parts->GetBytes() : 0;
   }
   report.Modelled.emplace_back("coarse geometry in depth maps",
-    this->Full > 0.0 ? std::to_string(static_cast<long long>(this->Drawn)) +
-        " triangles drawn in place of " + std::to_string(static_cast<long long>(this->Full)) +
-        " so far, half a texel from them at most"
-                     : "levels of " + std::to_string(all.size()) +
+    this->Full > 0.0
+      ? std::to_string(static_cast<long long>(this->Drawn)) + " triangles drawn in place of " +
+        std::to_string(static_cast<long long>(this->Full)) + " so far, a texel from them at most"
+      : "levels of " + std::to_string(all.size()) +
         " meshes, used by no map: half a texel from what they draw at most");
 }
 

@@ -183,13 +183,16 @@ std::vector<vtkIndirectMeshParts::Triangle> vtkIndirectDepthDrawer::ReadTriangle
 
 //------------------------------------------------------------------------------
 bool vtkIndirectDepthDrawer::Begin(
-  vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectMeshParts* parts)
+  vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectMeshParts* parts, bool slopes)
 {
   this->Parts = parts;
   this->Mapper = FindMapper(prop);
   this->Program = window->GetShaderCache()->ReadyShaderProgram(
     vtkIndirectShaderLibrary::GetText("vtkIndirectDepthVS.glsl").c_str(),
-    vtkIndirectShaderLibrary::GetText("vtkIndirectDepthFS.glsl").c_str(), "");
+    vtkIndirectShaderLibrary::GetText(
+      slopes ? "vtkIndirectDepthSlopeFS.glsl" : "vtkIndirectDepthFS.glsl")
+      .c_str(),
+    "");
   if (!this->Program)
   {
     return false;
@@ -233,6 +236,12 @@ bool vtkIndirectDepthDrawer::Begin(
   this->Vertices->AddAttributeArray(this->Program, positions, "vertexMC", 0, false);
   this->Vertices->RemoveAttributeArray("insetMC"); // then it is zero
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthDrawer::SetSlopeScale(const glm::dvec2& scale)
+{
+  vtkIndirectSetUniform(this->Program, "vtkiSlopeScale", glm::vec2(scale));
 }
 
 //------------------------------------------------------------------------------

@@ -39,9 +39,13 @@ public:
    * otherwise. */
   static std::vector<vtkIndirectMeshParts::Triangle> ReadTriangles(vtkProp* prop);
 
-  /** Sets up a prop for which CanDraw is true, or levels of its parts in its place. Returns false,
-   * after an error, if the program fails. */
-  bool Begin(vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectMeshParts* parts = nullptr);
+  /** Sets up a prop for which CanDraw is true, or levels of its parts in its place. slopes: true to
+   * write vtkiDepthSlope of a parallel map to the first channel. Returns false, after an error, if
+   * the program fails. */
+  bool Begin(vtkOpenGLRenderWindow* window, vtkProp* prop, vtkIndirectMeshParts* parts = nullptr,
+    bool slopes = false);
+  /** Sets the depth of the next draw's view in units of the width of a texel. */
+  void SetSlopeScale(const glm::dvec2& scale);
   /** Draws it into the current viewport; both transforms in double precision. Returns triangles. */
   size_t Draw(const glm::dmat4& worldToClip);
   /** Draws levels of the parts. emitter: its place and 1, or the direction to it and 0. */

@@ -285,7 +285,7 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
   int mapChannel = 0;
   const int channel = FindChannel(name);
   const bool ofMap = channel < 0 && ParseMapChannel(name, map, mapChannel) && input.Maps &&
-    map < input.Maps->GetNumberOfMaps();
+    map < input.Maps->GetNumberOfMaps() && input.Maps->HasSenders();
   if (channel < 0 && !ofMap)
   {
     return false;

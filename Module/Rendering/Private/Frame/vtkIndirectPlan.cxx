@@ -117,6 +117,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.Refraction = plan.Irradiance && !frame.Refractors.empty() && estimator.SumsLobes &&
     estimator.SpecularTransport && !frame.Lights.empty();
   plan.SendersAreSpecular = frame.SendersAreSpecular;
+  plan.MapsSend = !plan.LightsTurn || plan.OtherSamplers;
   plan.SenderLobes = settings.IndirectScale > 0.0 && plan.Senders == MAPS && !plan.LightsTurn &&
     estimator.SumsLobes && estimator.SpecularTransport && frame.SendersAreSpecular;
   // If there is specular reflectance, the albedo has an image of its own in any case.

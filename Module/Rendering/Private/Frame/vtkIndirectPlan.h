@@ -159,6 +159,7 @@ struct vtkIndirectPlan
    * fixed directions, so that turning the camera changes no map.
    */
   bool LightsTurn = false;
+  bool MapsSend = true;           // lights' maps hold surfaces that send light, beside depths
   bool OtherSamplers = false;     // passes add virtual lights of their own samplers
   bool AreaLights = false;        // light comes directly from rectangles, in closed form
   bool VirtualAreaLights = false; // pieces of rectangles are virtual lights

@@ -30,11 +30,12 @@ constexpr size_t LightsOfOneBuild = 200;
 constexpr size_t LightsOfOneCaster = 2;
 
 const vtkIndirectChannels Channels = {
-  { "rsm.albedo", "vtkiMapAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
-  { "rsm.surface", "vtkiMapSurface", "linear depth, octahedral normal and kind", GL_RG32F,
-    "face view", "1, 1, scene units" },
   { "rsm.slope", "vtkiMapSlope", "slope of depth over a texel's width", GL_RG16F, "face view",
     "1" },
+  // Maps for shadows alone have no further channels.
+  { "rsm.surface", "vtkiMapSurface", "linear depth, octahedral normal and kind", GL_RG32F,
+    "face view", "1, 1, scene units" },
+  { "rsm.albedo", "vtkiMapAlbedo", "diffuse reflectance", GL_RGBA16F, "-", "1" },
   // This channel exists only if senders have lobes.
   { "rsm.specular", "vtkiMapSpecular", "specular reflectance, power of the lobe or -roughness",
     GL_RGBA16F, "-", "1" },
@@ -45,8 +46,12 @@ const vtkIndirectChannels RowChannels = {
     "depth buffer" },
 };
 
-constexpr int SlopeChannel = 2;
-constexpr int ChannelsOfDiffuse = 3;
+// Coarse levels deviate from their mesh by at most this many texels in maps for shadows alone.
+constexpr double MostError = 0.29;
+constexpr double MostErrorInMotion = 1.0;
+
+constexpr int SlopeChannel = 0;
+constexpr int ChannelsOfContent[] = { 1, 3, 4 };
 
 // Number of texels of all maps together, of about 40 bytes each with shadows: 1.3 GB. The map of a
 // single light has as many texels as the user asks for.
@@ -96,9 +101,15 @@ void vtkIndirectLightMaps::Print(ostream& os, vtkIndent indent) const
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectLightMaps::HasSenders() const
+{
+  return this->Target.GetNumberOfChannels() >= ChannelsOfContent[SENDERS];
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectLightMaps::HasSpecular() const
 {
-  return this->Target.GetNumberOfChannels() > ChannelsOfDiffuse;
+  return this->Target.GetNumberOfChannels() >= ChannelsOfContent[SPECULAR_SENDERS];
 }
 
 //------------------------------------------------------------------------------
@@ -195,7 +206,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
   vtkOpenGLState::ScopedglClearColor clearColor(state);
   bool lost = false;
-  this->Target.SetNumberOfChannels(ChannelsOfDiffuse + (this->Specular ? 1 : 0));
+  this->Target.SetNumberOfChannels(ChannelsOfContent[this->Content]);
   if (!this->Target.Resize(frame.Window, this->Texels, layers, lost))
   {
     this->Maps.clear();
@@ -266,7 +277,8 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     state->vtkglEnable(GL_DEPTH_TEST);
     state->vtkglDepthFunc(GL_LEQUAL);
     state->vtkglDisable(GL_BLEND);
-    capture->DrawMap(frame, face.View, this->Texels, face.Casters);
+    capture->DrawMap(frame, face.View, this->Texels,
+      this->HasSenders() ? face.Casters : this->DrawShadows(frame, plan, face.View, face.Casters));
     this->Target.End();
     this->StaleRows.insert(face.Layer);
     ++this->NumberOfFacesDrawn;
@@ -284,6 +296,22 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
   this->UpdateTable(frame);
   this->UpdateFresnel(frame);
   return true;
+}
+
+//------------------------------------------------------------------------------
+// Draws depths and slopes of casters into a face. Returns the casters that are left for their own
+// mappers.
+std::vector<const vtkIndirectCaster*> vtkIndirectLightMaps::DrawShadows(
+  const vtkIndirectFrame& frame, const vtkIndirectPlan& plan, const vtkIndirectDepthTile& view,
+  const std::vector<const vtkIndirectCaster*>& casters)
+{
+  if (!view.Parallel)
+  {
+    return casters;
+  }
+  return this->Drawer.Draw(frame, casters,
+    { { frame, view, 0, glm::ivec2(0), glm::ivec2(this->Texels) } }, this->Texels,
+    plan.Interactive ? MostErrorInMotion : MostError, true);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 // resolution has changed. A light's strength, falloff and exponent redraw nothing.
 #pragma once
 
+#include "Capture/vtkIndirectCasterDrawer.h"     // for a member
 #include "Frame/vtkIndirectKey.h"                // for keys
 #include "LightMaps/vtkIndirectLightMap.h"       // for members
 #include "OpenGL/vtkIndirectDataTexture.h"       // for members
@@ -47,12 +48,19 @@ public:
   /** Removes all maps. */
   void Clear() { this->Maps.clear(); }
 
-  /**
-   * Chooses whether the next maps hold the specular reflections of senders. The capture must write
-   * them. Default off.
-   */
-  void SetSpecular(bool specular) { this->Specular = specular; }
-  /** Returns true if the maps hold them, so that shaders are built with VTKI_LOBES. */
+  /** These are the contents of maps beside depths. */
+  enum ContentType
+  {
+    SHADOWS,         // slopes: for shadows alone
+    SENDERS,         // also surfaces that send light
+    SPECULAR_SENDERS // also their specular reflections, which the capture must write
+  };
+  /** Chooses the content of the next maps. Default: SENDERS. */
+  void SetContent(ContentType content) { this->Content = content; }
+  /** Returns true if the maps hold surfaces that send light. */
+  bool HasSenders() const;
+  /** Returns true if the maps hold their specular reflections, so that shaders are built with
+   * VTKI_LOBES. */
   bool HasSpecular() const;
 
   int GetNumberOfMaps() const { return static_cast<int>(this->Maps.size()); }
@@ -86,6 +94,9 @@ protected:
   void ReleaseOwn(vtkWindow*) override { this->Faces.clear(); }
 
 private:
+  std::vector<const vtkIndirectCaster*> DrawShadows(const vtkIndirectFrame& frame,
+    const vtkIndirectPlan& plan, const vtkIndirectDepthTile& view,
+    const std::vector<const vtkIndirectCaster*>& casters);
   void UpdateTable(const vtkIndirectFrame& frame);
   void UpdateFresnel(const vtkIndirectFrame& frame);
   bool UpdateRows(vtkOpenGLRenderWindow* window);
@@ -94,11 +105,12 @@ private:
   int Resolution = 0;    // resolution that the last frame asked for
   int Texels = 0;        // of the last frame
   int LightsTooMany = 0; // lights of the last frame without a map
-  bool Specular = false;
+  ContentType Content = SENDERS;
   vtkIdType NumberOfFacesDrawn = 0;
   vtkTimeStamp ContentTime;
   vtkTimeStamp WindowTime;
   std::vector<vtkIndirectKey> WindowKeys; // the inputs of the windows with senders
+  vtkIndirectCasterDrawer Drawer{ this }; // for shadows alone
   // Binding textures changes the objects that hold them.
   mutable vtkIndirectLayeredTarget Target;
   // Depths in the form of shadow look-ups: a texel holds two neighbours of a row, and the slopes of

@@ -153,7 +153,9 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
   this->Capture->SetOutputs(
     { this->Plan.Shadows, this->Plan.SurfacesAreSpecular || this->Plan.SenderLobes,
       this->Plan.AreaSpecular && this->Frame.PhysicallyBased });
-  this->Maps.SetSpecular(this->Plan.SenderLobes);
+  this->Maps.SetContent(!this->Plan.MapsSend ? vtkIndirectLightMaps::SHADOWS
+      : this->Plan.SenderLobes               ? vtkIndirectLightMaps::SPECULAR_SENDERS
+                                             : vtkIndirectLightMaps::SENDERS);
   this->Capture->SetImageLight(!this->Plan.ReplacesImageLight);
   this->Capture->Attach(this->Frame);
   const vtkIndirectDarkLight dark(this->Frame);
@@ -522,7 +524,8 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
   }
   return this->Plan.Senders == vtkIndirectPlan::HEADLIGHT
     ? "a single headlight is read from the geometry buffer and has no map"
-    : "the frame has fewer lights";
+    : this->Plan.MapsSend ? "the frame has fewer lights"
+                          : "the maps of lights that follow the camera hold depths alone";
 }
 
 //------------------------------------------------------------------------------

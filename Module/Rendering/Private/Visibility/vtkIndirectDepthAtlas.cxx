@@ -3,19 +3,16 @@
 
 #include "Visibility/vtkIndirectDepthAtlas.h"
 
-#include "Capture/vtkIndirectCoarseLevels.h"
 #include "Capture/vtkIndirectDarkLight.h"
 #include "Capture/vtkIndirectShadowMaps.h"
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "Visibility/vtkIndirectPartViews.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTextureObject.h"
 
 #include <algorithm>
-#include <glm/gtc/matrix_transform.hpp>
 #include <iterator>
 
 namespace
@@ -32,9 +29,9 @@ constexpr int LeastTexels = 16;
 constexpr size_t LeastTiles = 1;
 constexpr size_t FirstTiles = 4;
 
-// After this many triangles the draw calls are flushed to OpenGL. Software rasterizers start on
-// them while the next ones are prepared, which saves a tenth of the time.
-constexpr size_t TrianglesOfFlush = 1 << 17;
+// Coarse levels deviate from their mesh by at most this many texels. With half a texel a level in
+// front of its mesh loses 0.20 of the light at once, with this 0.015.
+constexpr double MostErrorOfLevels = 0.2886;
 }
 
 //------------------------------------------------------------------------------
@@ -184,8 +181,14 @@ bool vtkIndirectDepthAtlas::Draw(
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_BLEND);
-  const std::vector<View> views = this->Clear(frame, tiles);
-  const std::vector<const vtkIndirectCaster*> others = this->DrawPlain(frame, views);
+  const std::vector<vtkIndirectCasterDrawer::View> views = this->Clear(frame, tiles);
+  std::vector<const vtkIndirectCaster*> casters;
+  for (const vtkIndirectCaster& caster : frame.Casters)
+  {
+    casters.push_back(&caster);
+  }
+  const std::vector<const vtkIndirectCaster*> others =
+    this->Drawer.Draw(frame, casters, views, this->Texels, MostErrorOfLevels);
   if (!others.empty())
   {
     this->DrawOthers(frame, capture, views, others);
@@ -228,23 +231,11 @@ glm::dvec2 vtkIndirectDepthAtlas::GetMiddle(int tile) const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::Use(const vtkIndirectFrame& frame, int tile, int view)
-{
-  vtkOpenGLState* state = frame.Window->GetState();
-  const glm::ivec2 first =
-    glm::ivec2(tile % this->Columns, tile / this->Columns) * this->GetTileSize(this->Texels) +
-    vtkIndirectDepthTile::GetPlaceOfView(view, this->Texels, this->Strips);
-  const glm::ivec2 size = vtkIndirectDepthTile::GetSizeOfView(view, this->Texels);
-  state->vtkglViewport(first.x, first.y, size.x, size.y);
-  state->vtkglScissor(first.x, first.y, size.x, size.y);
-}
-
-//------------------------------------------------------------------------------
 // Clears tiles and returns their views, which are to be drawn.
-std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
+std::vector<vtkIndirectCasterDrawer::View> vtkIndirectDepthAtlas::Clear(
   const vtkIndirectFrame& frame, const std::vector<int>& tiles)
 {
-  std::vector<View> views;
+  std::vector<vtkIndirectCasterDrawer::View> views;
   for (const int number : tiles)
   {
     const vtkIndirectDepthTile& tile = this->Drawn[static_cast<size_t>(number)].Tile;
@@ -252,10 +243,12 @@ std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
     {
       if (k == 0 || tile.Strips[static_cast<size_t>(k - 1)].HalfWidth.x > 0.0)
       {
-        View view = { number, &tile, k, tile.GetView(k), {} };
-        view.ToClip = view.Camera.GetWorldToClip(frame);
-        views.push_back(view);
-        this->Use(frame, number, k);
+        const glm::ivec2 place(number % this->Columns, number / this->Columns);
+        views.emplace_back(frame, tile, k,
+          place * this->GetTileSize(this->Texels) +
+            vtkIndirectDepthTile::GetPlaceOfView(k, this->Texels, this->Strips),
+          vtkIndirectDepthTile::GetSizeOfView(k, this->Texels));
+        views.back().Use(frame);
         this->Depths.ClearDepth();
       }
     }
@@ -264,144 +257,19 @@ std::vector<vtkIndirectDepthAtlas::View> vtkIndirectDepthAtlas::Clear(
 }
 
 //------------------------------------------------------------------------------
-// Draws all views of one prop after the other. Returns the casters that only their own mappers can
-// draw.
-std::vector<const vtkIndirectCaster*> vtkIndirectDepthAtlas::DrawPlain(
-  const vtkIndirectFrame& frame, const std::vector<View>& views)
-{
-  std::vector<const vtkIndirectCaster*> others;
-  this->TrianglesOfBatch = 0;
-  for (const vtkIndirectCaster& caster : frame.Casters)
-  {
-    if (!vtkIndirectDepthDrawer::CanDraw(caster.Prop) || !this->DrawProp(frame, caster, views))
-    {
-      others.push_back(&caster);
-    }
-  }
-  return others;
-}
-
-//------------------------------------------------------------------------------
-// Draws one prop: the levels of its parts, or its own mesh where no level is fine enough. Returns
-// false after an error.
-bool vtkIndirectDepthAtlas::DrawProp(
-  const vtkIndirectFrame& frame, const vtkIndirectCaster& caster, const std::vector<View>& views)
-{
-  vtkIndirectMeshParts* parts = frame.Levels ? frame.Levels->Find(caster.Prop) : nullptr;
-  std::vector<const View*> whole; // views of the prop's own mesh
-  if (parts)
-  {
-    vtkIndirectPartViews seen(*parts, caster.Prop);
-    const size_t full = vtkIndirectDepthDrawer::CountTriangles(caster.Prop);
-    bool begun = false;
-    for (const View& view : views)
-    {
-      // Views of a tile follow each other, the view ahead first.
-      if (view.Number == 0)
-      {
-        seen.SetTile(frame, *view.Whole, this->Texels);
-      }
-      if (seen.Choose(frame, view.Camera, view.Number, this->Texels))
-      {
-        whole.push_back(&view);
-      }
-      if (!seen.IsEmpty())
-      {
-        if (!begun && !this->Drawer.Begin(frame.Window, caster.Prop, parts))
-        {
-          return false;
-        }
-        begun = true;
-        this->DrawLevels(frame, view, *parts, seen, full);
-      }
-    }
-    if (begun)
-    {
-      this->Drawer.End();
-    }
-  }
-  else
-  {
-    unsigned int seen = 0;
-    for (const View& view : views)
-    {
-      seen = view.Number == 0 ? view.Whole->FindViews(frame, caster.Bounds, this->Texels) : seen;
-      if ((seen >> view.Number) & 1u)
-      {
-        whole.push_back(&view);
-      }
-    }
-  }
-  if (whole.empty())
-  {
-    return true;
-  }
-  if (!this->Drawer.Begin(frame.Window, caster.Prop))
-  {
-    return false;
-  }
-  for (const View* view : whole)
-  {
-    this->Use(frame, view->Tile, view->Number);
-    this->Flush(this->Drawer.Draw(view->ToClip));
-  }
-  this->Drawer.End();
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectDepthAtlas::DrawLevels(const vtkIndirectFrame& frame, const View& view,
-  const vtkIndirectMeshParts& parts, const vtkIndirectPartViews& seen, size_t full)
-{
-  this->Use(frame, view.Tile, view.Number);
-  const vtkIndirectDepthTile& tile = view.Camera;
-  const glm::dvec4 emitter =
-    tile.Parallel ? glm::dvec4(-tile.Forward, 0.0) : glm::dvec4(frame.ToWorld(tile.Place), 1.0);
-  size_t drawn = 0;
-  for (size_t level = 0; level < parts.NumberOfLevels; ++level)
-  {
-    const std::vector<vtkIndirectMeshParts::Level>& levels = seen.GetLevels(level);
-    if (!levels.empty())
-    {
-      // A coarse level must not hide the mesh that it replaces: without insets it is drawn behind
-      // by its error. Look-ups allow for the effect of slopes by their allowance for a texel;
-      // glPolygonOffset would do the same and doubles the time of software rasterizers.
-      const double behind = parts.HasInsets ? 0.0 : seen.FindError(level);
-      drawn += this->Drawer.Draw(
-        view.ToClip * glm::translate(glm::dmat4(1.0), view.Camera.Forward * behind), emitter,
-        levels);
-    }
-  }
-  frame.Levels->Count(drawn, full);
-  this->Flush(drawn);
-}
-
-//------------------------------------------------------------------------------
-// Flushes draw calls to OpenGL after TrianglesOfFlush triangles.
-void vtkIndirectDepthAtlas::Flush(size_t triangles)
-{
-  this->TrianglesOfBatch += triangles;
-  if (this->TrianglesOfBatch >= TrianglesOfFlush)
-  {
-    glFlush();
-    this->TrianglesOfBatch = 0;
-  }
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectDepthAtlas::DrawOthers(const vtkIndirectFrame& frame,
-  vtkSurfaceCapturePass* capture, const std::vector<View>& views,
+  vtkSurfaceCapturePass* capture, const std::vector<vtkIndirectCasterDrawer::View>& views,
   const std::vector<const vtkIndirectCaster*>& casters)
 {
   const vtkIndirectDarkLight dark(frame);
   capture->Attach(frame);
-  for (const View& view : views)
+  for (const vtkIndirectCasterDrawer::View& view : views)
   {
     std::vector<const vtkIndirectCaster*> seen;
     std::copy_if(casters.begin(), casters.end(), std::back_inserter(seen),
       [&](const vtkIndirectCaster* caster)
       { return (view.Whole->FindViews(frame, caster->Bounds, this->Texels) >> view.Number) & 1u; });
-    this->Use(frame, view.Tile, view.Number);
+    view.Use(frame);
     capture->DrawMap(frame, view.Camera, this->Texels, seen);
   }
   capture->Detach();

@@ -5,17 +5,16 @@
 // caster that the tile can see, has changed.
 #pragma once
 
-#include "Capture/vtkIndirectDepthDrawer.h" // for a member
-#include "Capture/vtkIndirectDepthTile.h"   // for tiles
-#include "OpenGL/vtkIndirectResource.h"     // for the base class
-#include "OpenGL/vtkIndirectTarget.h"       // for a member
+#include "Capture/vtkIndirectCasterDrawer.h" // for a member
+#include "Capture/vtkIndirectDepthTile.h"    // for tiles
+#include "OpenGL/vtkIndirectResource.h"      // for the base class
+#include "OpenGL/vtkIndirectTarget.h"        // for a member
 
 #include <array>   // for bounds
 #include <cstddef> // for size_t
 #include <utility> // for pairs
 #include <vector>  // for tiles
 
-class vtkIndirectPartViews;
 class vtkSurfaceCapturePass;
 struct vtkIndirectCaster;
 
@@ -106,33 +105,17 @@ private:
   void FindTilesToDraw(const std::vector<Map>& maps, size_t count);
   std::vector<int> TakeTiles(size_t most);
   int CountMostTiles(int texels, int edge, double memory) const;
-  // This is a view of a tile that is to be drawn.
-  struct View
-  {
-    int Tile;
-    const vtkIndirectDepthTile* Whole; // the tile as it is drawn
-    int Number;
-    vtkIndirectDepthTile Camera;
-    glm::dmat4 ToClip;
-  };
 
   glm::ivec2 GetTileSize(int texels) const;
-  void Use(const vtkIndirectFrame& frame, int tile, int view);
-  std::vector<View> Clear(const vtkIndirectFrame& frame, const std::vector<int>& tiles);
-  std::vector<const vtkIndirectCaster*> DrawPlain(
-    const vtkIndirectFrame& frame, const std::vector<View>& views);
-  bool DrawProp(
-    const vtkIndirectFrame& frame, const vtkIndirectCaster& caster, const std::vector<View>& views);
-  void DrawLevels(const vtkIndirectFrame& frame, const View& view,
-    const vtkIndirectMeshParts& parts, const vtkIndirectPartViews& seen, size_t full);
-  void Flush(size_t triangles);
+  std::vector<vtkIndirectCasterDrawer::View> Clear(
+    const vtkIndirectFrame& frame, const std::vector<int>& tiles);
   void DrawOthers(const vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture,
-    const std::vector<View>& views, const std::vector<const vtkIndirectCaster*>& casters);
+    const std::vector<vtkIndirectCasterDrawer::View>& views,
+    const std::vector<const vtkIndirectCaster*>& casters);
 
   const bool Strips;
   vtkIndirectTarget Depths;
-  vtkIndirectDepthDrawer Drawer{ this };
-  size_t TrianglesOfBatch = 0; // drawn since the last flush
+  vtkIndirectCasterDrawer Drawer{ this };
   std::vector<Drawing> Drawn;
   std::vector<std::pair<int, vtkIndirectDepthTile>> Left; // tiles to draw, first the missing ones
   int Texels = 0;

@@ -23,8 +23,8 @@
       : vtkiPackSurface(vtkiNormal, vtkiFacet, vtkiDepth, vtkiKind);
     if (vtkiStage != 0)
     {
-      gl_FragData[0] = vec4(vtkiAlbedo * VTKI_SENDER_SCALE, 1.0f);
-      gl_FragData[2] = vec4(VTKI_SLOPE, 0.0f, 1.0f);
+      gl_FragData[0] = vec4(VTKI_SLOPE, 0.0f, 1.0f);
+      gl_FragData[2] = vec4(vtkiAlbedo * VTKI_SENDER_SCALE, 1.0f);
 #ifdef VTKI_SPECULAR
       vec4 vtkiLobe = VTKI_SPECULAR_SENDER;
       gl_FragData[3] = vec4(max(vtkiLobe.rgb * vtkiMapLight.z, vec3(0.0f)), max(vtkiLobe.a, -1.0f));

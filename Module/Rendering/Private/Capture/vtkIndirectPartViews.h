@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The parts of a mesh that a view of a depth tile sees, and the level of each: the coarsest one
-// that deviates from the mesh by at most half a texel at the part's nearest point.
+// that deviates from the mesh by at most a share of a texel at the part's nearest point.
 #pragma once
 
 #include "Capture/vtkIndirectMeshParts.h" // for levels
@@ -22,10 +22,10 @@ public:
 
   /**
    * Chooses the levels of the parts that one of the tile's views sees. Returns true if the prop's
-   * own mesh is to be drawn, because no level of a part is fine enough.
+   * own mesh is to be drawn, because no level of a part is within this error, in texels.
    */
-  bool Choose(
-    const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view, int number, int texels);
+  bool Choose(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view, int number,
+    int texels, double mostError);
 
   /** Returns true if no level is drawn. */
   bool IsEmpty() const;

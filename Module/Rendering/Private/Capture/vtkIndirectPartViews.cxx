@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Visibility/vtkIndirectPartViews.h"
+#include "Capture/vtkIndirectPartViews.h"
 
 #include "Capture/vtkIndirectDepthTile.h"
 #include "Frame/vtkIndirectFrame.h"
@@ -11,15 +11,19 @@
 
 namespace
 {
-// A level deviates from its mesh by at most this many texels: the neighbours of a texel are as far
-// away.
-constexpr double MostErrorOfLevels = 0.5;
-
-// Returns the factor from lengths in a prop's mesh to world units, or a bound of it.
+// Returns a bound of the factor from lengths in a prop's mesh to world units, the factor itself for
+// a matrix that shears nothing: by Gershgorin's circles of the squares of its singular values.
 double FindScale(vtkProp* prop)
 {
-  const glm::dmat4 m(vtkIndirectFrame::ToGLM(prop->GetMatrix()));
-  return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2]));
+  const glm::dmat3 m(vtkIndirectFrame::ToGLM(prop->GetMatrix()));
+  const glm::dmat3 squares = glm::transpose(m) * m;
+  double most = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const glm::dvec3 row = glm::abs(squares[i]);
+    most = std::max(most, row.x + row.y + row.z);
+  }
+  return std::sqrt(most);
 }
 }
 
@@ -57,8 +61,8 @@ void vtkIndirectPartViews::SetTile(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPartViews::Choose(
-  const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view, int number, int texels)
+bool vtkIndirectPartViews::Choose(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view,
+  int number, int texels, double mostError)
 {
   for (std::vector<vtkIndirectMeshParts::Level>& levels : this->Levels)
   {
@@ -71,7 +75,7 @@ bool vtkIndirectPartViews::Choose(
     if ((this->Seen[i] >> number) & 1u)
     {
       const double texel = view.FindTexelAt(frame, this->Bounds[i].data(), size);
-      const int level = this->Parts.Parts[i].FindLevel(MostErrorOfLevels * texel / this->Scale);
+      const int level = this->Parts.Parts[i].FindLevel(mostError * texel / this->Scale);
       whole = whole || level < 0;
       if (level >= 0)
       {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Draws the depth of casters into views of the bound target, without their mappers where that gives
+// the same: plain polygons from their mappers' buffers, and of dense meshes the levels of parts
+// that deviate by less than a share of a texel.
+#pragma once
+
+#include "Capture/vtkIndirectDepthDrawer.h" // for a member
+#include "Capture/vtkIndirectDepthTile.h"   // for views
+
+#include <cstddef>     // for size_t
+#include <glm/glm.hpp> // for matrices
+#include <vector>      // for lists
+
+class vtkIndirectPartViews;
+struct vtkIndirectCaster;
+struct vtkIndirectFrame;
+
+class vtkIndirectCasterDrawer
+{
+public:
+  explicit vtkIndirectCasterDrawer(vtkIndirectResource* owner);
+
+  /** A view of a tile, and its place in the bound target. */
+  struct View
+  {
+    const vtkIndirectDepthTile* Whole; // the tile
+    int Number;                        // of the tile's views
+    vtkIndirectDepthTile Camera;
+    glm::dmat4 ToClip;
+    glm::ivec2 First; // the viewport, in texels
+    glm::ivec2 Size;
+
+    View(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& tile, int number,
+      const glm::ivec2& first, const glm::ivec2& size);
+    /** Sets the viewport and the scissor to it. */
+    void Use(const vtkIndirectFrame& frame) const;
+  };
+
+  /**
+   * Draws casters into views. The views of a tile follow each other, the view ahead first; that one
+   * has this many texels along an edge. Returns the casters that only their own mappers can draw.
+   * mostError: of coarse levels, in texels. slopes: true to write slopes of depth to the first
+   * channel, too; for parallel tiles.
+   */
+  std::vector<const vtkIndirectCaster*> Draw(const vtkIndirectFrame& frame,
+    const std::vector<const vtkIndirectCaster*>& casters, const std::vector<View>& views,
+    int texels, double mostError, bool slopes = false);
+
+private:
+  void Use(const vtkIndirectFrame& frame, const View& view);
+  bool DrawProp(const vtkIndirectFrame& frame, const vtkIndirectCaster& caster,
+    const std::vector<View>& views, int texels);
+  void DrawLevels(const vtkIndirectFrame& frame, const View& view,
+    const vtkIndirectMeshParts& parts, const vtkIndirectPartViews& seen, size_t full);
+  void Flush(size_t triangles);
+
+  vtkIndirectDepthDrawer Drawer;
+  double MostError = 0.0;
+  bool Slopes = false;
+  size_t TrianglesOfBatch = 0; // drawn since the last flush
+};
