@@ -183,8 +183,8 @@ def commands() -> dict[str, argparse.ArgumentParser]:
 
     show = known.add_parser(
         "demo",
-        help="render the demonstration scenes without and with indirect light",
-        description="Render the demonstration scenes, each without and with indirect light.",
+        help="render the demonstration scenes in plain VTK and with indirect light",
+        description="Render the demonstration scenes, each in plain VTK and with indirect light.",
     )
     show.add_argument(
         "names", nargs="*", metavar="NAME", help=f"{', '.join(locations.DEMOS)} (default: all)"
