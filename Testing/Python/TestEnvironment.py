@@ -114,7 +114,7 @@ class Values(unittest.TestCase):
             ([1, -1, 1], "none of them negative"),
             ([1, 2], "three finite numbers"),
             ([1, 2, float("nan")], "three finite numbers"),
-            (5, "environment must be a vtkEnvironmentLight, the path of an image, three numbers"),
+            (5, "environment must be a vtkEnvironmentLight, a name (uniform, overcast, clear, "),
             (b"sky", "environment must be a vtkEnvironmentLight"),
         ):
             with self.subTest(value=value), self.assertRaises(UsageError) as caught:

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Finds the arrays of a data set by name."""
+"""Finds the arrays of a data set by name; makes images of arrays."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkImageData
 
 from vtkindirect.errors import suggestion
 from vtkindirect.schema import fail
@@ -117,3 +117,13 @@ def finite(array: vtkDataArray | None) -> bool:
     if array is None or array.GetDataTypeAsString() not in ("float", "double"):
         return True
     return bool(np.isfinite(vtk_to_numpy(array)).all())
+
+
+def as_image(values: np.ndarray) -> vtkImageData:
+    """Return an array of height x width x components as an image, bottom row first."""
+    height, width, components = values.shape
+    image = vtkImageData()
+    image.SetDimensions(width, height, 1)
+    flat = np.ascontiguousarray(values).reshape(-1, components)
+    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
+    return image

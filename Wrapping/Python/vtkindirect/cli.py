@@ -30,6 +30,7 @@ from vtkindirect import (
     lighting,
     locations,
     methods,
+    options,
     settings,
     windows,
     working,
@@ -110,6 +111,7 @@ def _add_scene_arguments(parser: argparse.ArgumentParser, lit: bool = True) -> N
     )
     if lit:
         _add_lighting_argument(parser)
+        options.add_arguments(parser)
     parser.add_argument(
         "--size", type=_size, metavar="WxH", help="picture size in pixels (default: the scene's)"
     )
@@ -275,10 +277,11 @@ def _job(arguments: argparse.Namespace, count: int = 1) -> Job:
         light = values.pop(name)
     if light is not None:
         lighting.check(light)
-    if arguments.method == "off" and (values or arguments.sampler or light):
-        name = next(iter(values), "sampler" if arguments.sampler else "lighting")
-        raise UsageError(f"method 'off' has no property '{name}'")
-    return Job(arguments.method, arguments.sampler, values, count, lighting=light)
+    said = options.parse(arguments)
+    if arguments.method == "off" and (values or arguments.sampler or light or said):
+        name = next(iter(values), "sampler" if arguments.sampler else "lighting" if light else "")
+        raise UsageError(f"method 'off' has no property '{name or next(iter(said))}'")
+    return Job(arguments.method, arguments.sampler, values, count, lighting=light, words=said)
 
 
 def _of_scene(job: Job, scene: Scene) -> Job:

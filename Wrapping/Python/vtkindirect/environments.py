@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Light of the sky: making it from a file or a colour, and where a renderer keeps it.
+"""Light of the sky: making it from a file, a colour or a name, and where a renderer keeps it.
 
 A renderer keeps its environment in VTK's information about it, so that whoever has the renderer has
 the environment: `vtkindirect.enable` finds it there, and it goes when the renderer goes.
@@ -18,8 +18,8 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkImagingCore import vtkImageShiftScale
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
-from vtkindirect import data, wrapped
-from vtkindirect.errors import UsageError
+from vtkindirect import data, skies, wrapped
+from vtkindirect.errors import UsageError, suggestion
 
 CLASS = "vtkEnvironmentLight"
 
@@ -69,13 +69,22 @@ def build(values: dict[str, Any]) -> Any:
 
 
 def from_value(value: Any) -> Any:
-    """Return the vtkEnvironmentLight that a value stands for.
+    """Return the vtkEnvironmentLight that a value stands for, or the name of known surroundings.
 
-    `value` is one, the path of an equirectangular image, a radiance of three numbers, or None for
-    no environment, which gives None. Raises `UsageError`.
+    `value` is one, a name of `skies.NAMES`, the path of an equirectangular image, a radiance of
+    three numbers, or None for no environment, which gives None. Raises `UsageError`.
     """
     if value is None or (wrapped.has(CLASS) and isinstance(value, wrapped.get(CLASS))):
         return value
+    if isinstance(value, str):
+        if value in skies.NAMES:
+            wrapped.get(CLASS)
+            return value
+        if not os.path.exists(value):
+            raise UsageError(
+                f"{value}: no such file, and no name of an environment"
+                f"{suggestion(value, skies.NAMES)}; known: {', '.join(skies.NAMES)}"
+            )
     light = wrapped.get(CLASS)()
     if isinstance(value, (str, os.PathLike)):
         light.SetImage(read_picture(value))
@@ -83,10 +92,10 @@ def from_value(value: Any) -> Any:
     radiance = value.tolist() if hasattr(value, "tolist") else value
     if not isinstance(radiance, Sequence) or isinstance(radiance, bytes):
         raise UsageError(
-            f"environment must be a {CLASS}, the path of an image, three numbers or None, "
-            f"not {reprlib.repr(value)}"
+            f"environment must be a {CLASS}, a name ({', '.join(skies.NAMES)}), the path of an "
+            f"image, three numbers or None, not {reprlib.repr(value)}"
         )
-    if len(radiance) != 3 or not all(_is_radiance(part) for part in radiance):
+    if len(radiance) != 3 or not all(is_number(part) and part >= 0.0 for part in radiance):
         raise UsageError(
             "environment: a radiance must be three finite numbers, none of them negative, "
             f"not {reprlib.repr(value)}"
@@ -95,8 +104,9 @@ def from_value(value: Any) -> Any:
     return light
 
 
-def _is_radiance(value: Any) -> bool:
+def is_number(value: Any) -> bool:
+    """Return whether a value is a finite number."""
     if hasattr(value, "item"):  # a number of NumPy's
         value = value.item()
     number = isinstance(value, (int, float)) and not isinstance(value, bool)
-    return number and math.isfinite(value) and value >= 0.0
+    return number and math.isfinite(value)

@@ -57,7 +57,8 @@ class Job:
     """A method to render with, its settings and the number of frames to measure.
 
     `pace` is one of `PACES`, or None: the camera turns by so little that no pixel changes.
-    `lighting` as `vtkindirect.enable` has it; None keeps what it does by itself.
+    `lighting` as `vtkindirect.enable` has it; None keeps what it does by itself. `words` are
+    further ones of `enable`, such as ``environment``.
     """
 
     method: str = "auto"
@@ -66,6 +67,14 @@ class Job:
     frames: int = 1
     pace: str | None = None
     lighting: str | None = None
+    words: dict[str, Any] = field(default_factory=dict)
+
+    def enable(self, scene: Scene) -> Any:
+        """Switch indirect light on in a scene, or off; returns the pass, or None."""
+        values = {**self.settings, **self.words}
+        if self.lighting is not None:
+            values["lighting"] = self.lighting
+        return methods.enable(scene.renderer, self.method, self.sampler, **values)
 
     @property
     def all_frames(self) -> int:
@@ -227,10 +236,7 @@ def render(
     again until then, with light in the last of them (``MapsFirst``), and ``wall_ms`` is the time of
     all of it.
     """
-    values = dict(job.settings)
-    if job.lighting is not None:
-        values["lighting"] = job.lighting
-    indirect = methods.enable(scene.renderer, job.method, job.sampler, **values)
+    indirect = job.enable(scene)
     times: list[float] = []
     processor: list[float] = []
     first: float | None = None

@@ -16,13 +16,14 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from vtkindirect import interrupts, messages, methods, wrapped
+from vtkindirect.arrays import as_image
 from vtkindirect.errors import RenderError, UsageError, check_text, unknown
 
 FINAL = "final"
@@ -231,22 +232,13 @@ def _open_stream(path: Path) -> BinaryIO:
     return path.open("wb")
 
 
-def _as_image(values: np.ndarray) -> vtkImageData:
-    height, width, components = values.shape
-    image = vtkImageData()
-    image.SetDimensions(width, height, 1)
-    flat = np.ascontiguousarray(values).reshape(-1, components)
-    image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
-    return image
-
-
 def write_png(path: Path, values: np.ndarray) -> None:
     """Write 8-bit values, or floats that are clamped to 0 to 1, as a PNG file."""
     if values.dtype != np.uint8:
         finite = np.nan_to_num(values, nan=0.0, posinf=1.0, neginf=0.0)
         values = np.rint(np.clip(finite, 0.0, 1.0) * 255.0).astype(np.uint8)
     writer = vtkPNGWriter()
-    writer.SetInputData(_as_image(values))
+    writer.SetInputData(as_image(values))
     writer.WriteToMemoryOn()
     writer.Write()
     with complete_file(path) as temporary:
@@ -258,7 +250,7 @@ def write_exr(path: Path, values: np.ndarray, full: bool = False) -> None:
     writer = wrapped.get("vtkOpenEXRWriter")()
     full = full or bool(np.abs(values).max(initial=0.0) > np.finfo(np.float16).max)
     writer.SetPixelType(writer.FloatPixels if full else writer.HalfPixels)
-    writer.SetInputData(_as_image(values.astype(np.float32, copy=False)))
+    writer.SetInputData(as_image(values.astype(np.float32, copy=False)))
     with complete_file(path) as temporary, messages.capture() as said:
         writer.SetFileName(os.fspath(temporary))
         writer.Write()

@@ -11,7 +11,8 @@ from vtkindirect import settings
 from vtkindirect.errors import UsageError, check_text, unknown
 
 AUTO = "auto"
-PRESETS = ("scene", "soft", "full", "gentle", "studio")
+SCENE = "scene"
+PRESETS = (SCENE, "soft", "full", "gentle", "studio")
 NAMES = (AUTO, *PRESETS)
 
 PROPERTY = "Lighting"
@@ -30,14 +31,14 @@ def is_property(name: str) -> bool:
     return settings.camel(name).lower() == PROPERTY.lower()
 
 
-def _lights(renderer: vtkRenderer) -> list[vtkLight]:
+def lights_of(renderer: vtkRenderer) -> list[vtkLight]:
     """Return the lights that are on."""
     found = renderer.GetLights()
     lights = [found.GetItemAsObject(i) for i in range(found.GetNumberOfItems())]
     return [light for light in lights if light.GetSwitch()]
 
 
-def _follows_camera(light: vtkLight) -> bool:
+def follows_camera(light: vtkLight) -> bool:
     """Return whether a light stands still beside the camera and lights all that it sees.
 
     One with a place, a cone or falloff does not: somebody has aimed it.
@@ -73,12 +74,12 @@ def choose(
         return "scene", "there are area lights"
     if _has_image_light(renderer):
         return "scene", "the renderer has image-based lighting"
-    lights = _lights(renderer)
+    lights = lights_of(renderer)
     if not lights:
         if renderer.GetAutomaticLightCreation():
             return "full", "the renderer has no light but the headlight that VTK gives it"
         return "scene", "the renderer has no light and is to have none"
-    if not all(_follows_camera(light) for light in lights):
+    if not all(follows_camera(light) for light in lights):
         return "scene", "somebody has placed the renderer's lights"
     if not all(_shines(light) for light in lights):
         return "scene", "a light of the renderer adds no light"

@@ -17,10 +17,12 @@ from typing import Any
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from vtkindirect import area_lights, chain, environments, names, widgets, wrapped
+from vtkindirect import area_lights, chain, environments, names, surroundings, widgets, wrapped
 from vtkindirect import lighting as lightings
 from vtkindirect import settings as properties
 from vtkindirect.errors import UsageError, check_text, unknown
+from vtkindirect.keep import KEEP
+from vtkindirect.surroundings import Surroundings
 
 
 @dataclass(frozen=True)
@@ -119,6 +121,7 @@ class _Record:
     configured: tuple[Any, ...] = ()
     lighting: str | None = None  # asked for; None: nothing but what the pass has been set to
     chosen: tuple[str, str] | None = None  # what "auto" stood for last, and why
+    around: Surroundings = field(default_factory=Surroundings)
     woven: chain.Woven | None = None
     renderer: vtkWeakReference = field(default_factory=vtkWeakReference)
     observers: list[int] = field(default_factory=list)
@@ -201,6 +204,7 @@ def _start(renderer: vtkRenderer) -> None:
     record = _records.get(renderer.__this__)
     if record is not None:
         _light(renderer, record)
+        record.around.place(renderer, record.indirect, record.lighting == lightings.AUTO, True)
         record.names = names.take_pyvistas(renderer, record.names)
     widgets.leave_out_of_maps(renderer)
 
@@ -224,10 +228,24 @@ def _lighting_of(indirect: Any) -> str:
     return lightings.PRESETS[indirect.GetLighting()]
 
 
+def _has_preset(record: _Record, there: Any, lighting: Any, settings: dict[str, Any]) -> bool:
+    """Return whether a preset of lights is in force after a call, other than by "auto"."""
+    by_name = [value for name, value in settings.items() if lightings.is_property(name)]
+    if by_name:
+        lighting = by_name[0]
+    elif lighting is KEEP and (there is None or record.lighting == lightings.AUTO):
+        lighting = lightings.AUTO
+    elif lighting is KEEP:
+        lighting = _lighting_of(record.indirect)
+    return lighting not in (lightings.AUTO, lightings.SCENE)
+
+
 def _forget(renderer: vtkRenderer) -> _Record | None:
     record = _records.pop(renderer.__this__, None)
-    for observer in record.observers if record is not None else []:
-        renderer.RemoveObserver(observer)
+    if record is not None:
+        for observer in record.observers:
+            renderer.RemoveObserver(observer)
+        record.around.leave(renderer)
     return record
 
 
@@ -323,18 +341,6 @@ def _explain_owner(name: str, method: Method, sampler: Any) -> None:
             )
 
 
-class _Keep:
-    """A default that says what it is, to readers of signatures too."""
-
-    def __repr__(self) -> str:
-        return "KEEP"
-
-
-KEEP: Any = _Keep()
-"""The environment or lighting that is there already: the pass's, or for a new pass the renderer's
-environment and the lighting "auto"."""
-
-
 def as_the_scene_has_it(
     rendering: dict[str, Any], method: str, sampler: str | None, settings: dict[str, Any]
 ) -> tuple[str, str | None, dict[str, Any]]:
@@ -354,6 +360,8 @@ def enable(
     sampler: str | None = None,
     *,
     environment: Any = KEEP,
+    sun: Any = KEEP,
+    up: Any = KEEP,
     lighting: Any = KEEP,
     **settings: Any,
 ) -> Any:
@@ -371,16 +379,25 @@ def enable(
 
     With the method "auto" these are the estimator and sampler that the pass has chosen.
 
-    `environment` is the light of the sky: a vtkEnvironmentLight, the path of an equirectangular
-    image, a radiance of three numbers, or None for none. Left out, it is that of the scene file
-    from which the renderer was loaded. A `Scene` whose file names a method has that method where the
+    `environment` is the light of the sky: "uniform", "overcast" and "clear" (the CIE's skies) or
+    "studio" (a dark room with three soft boxes), the path of an equirectangular image, a radiance
+    of three numbers, a vtkEnvironmentLight, or None for none. Left out, it is that of the scene
+    file from which the renderer was loaded. A `Scene` whose file names a method has that method where the
     call says "auto".
+
+    `sun` is the sun's azimuth, clockwise from north, and its elevation, in degrees: one directional
+    light with a soft shadow, and the environment "overcast" where there is none. None takes it
+    away.
+    `up` is the axis that is up: "x", "y", "z", "-x", "-y" or "-z"; None, the default, is the one
+    nearest to the camera's view-up when the first frame is drawn. North is y where z is up, and -z
+    where y is up; east is x.
 
     `lighting` is one of "auto", "scene" (the renderer's lights as they are), "soft", "full",
     "gentle" and "studio". "auto", which a new pass gets, is "full" where nobody has placed lights
     in the scene: where all of the renderer's lights follow its camera, as VTK's headlight, light
     kits and PyVista's three lights do; and "scene" where somebody has placed some or set an
-    environment. `report` says which, and why.
+    environment. `report` says which, and why. Beside a sun or an environment of a call "auto"
+    switches lights that follow the camera off, until `disable`; "scene" leaves them on.
 
     Calling again changes the method and the settings that are given and keeps the others, where the
     method has them. After an error everything is as it was.
@@ -395,13 +412,14 @@ def enable(
         method, sampler, settings = as_the_scene_has_it(rendering, method, sampler, settings)
     row = check_method(method)
     if row.name == "off":
-        given = [*settings, *(["environment"] if environment is not KEEP else [])]
-        given += [*(["lighting"] if lighting is not KEEP else []), "sampler"]
-        if sampler or len(given) > 1:
+        words = {"environment": environment, "sun": sun, "up": up, "lighting": lighting}
+        given = [*settings, *(name for name, value in words.items() if value is not KEEP)]
+        given += ["sampler"] if sampler else []
+        if given:
             raise UsageError(f"method 'off' has no property '{given[0]}'")
         disable(target)
         return None
-    wanted = KEEP if environment is KEEP else environments.from_value(environment)
+    around = surroundings.check(environment, sun, up)
     by_name = any(lightings.is_property(name) for name in settings)
     if lighting is not KEEP:
         lightings.check(lighting)
@@ -413,11 +431,12 @@ def enable(
         record = _records.get(renderer.__this__)
         if record is None or record.indirect is not there:
             record = _Record(there or wrapped.get("vtkIndirectIlluminationPass")())
+        attached = environments.attached(renderer)
+        if there is None and environment is KEEP and attached is not None:
+            record.indirect.SetEnvironment(attached)
+        record.around.check(around, _has_preset(record, there, lighting, settings), record.indirect)
         _configure(record, row, sampler, settings)
-        if wanted is not KEEP:
-            record.indirect.SetEnvironment(wanted)
-        elif there is None and environments.attached(renderer) is not None:
-            record.indirect.SetEnvironment(environments.attached(renderer))
+        record.around.ask(around, record.indirect)
         if there is None:
             for light in area_lights.attached(renderer):
                 record.indirect.AddAreaLight(light)
@@ -428,6 +447,9 @@ def enable(
             record.chosen = None
             if record.lighting != lightings.AUTO:
                 properties.set_property(record.indirect, lightings.PROPERTY, record.lighting)
+        record.around.place(
+            renderer, record.indirect, record.lighting == lightings.AUTO, False
+        )
         _light(renderer, record)
         _keep(renderer, record)
         if there is None:
@@ -491,4 +513,8 @@ def report(target: Any) -> dict[str, Any]:
             used, why = record.chosen
             result["lighting"] = {"used": used, "why": f"auto: {why}"}
             result["modelled"].append({"what": f"lighting auto: {used}", "why": why})
+        if record.indirect is indirect:
+            modelled, left_out = record.around.report()
+            result["modelled"] += modelled
+            result["left_out"] += left_out
     return result

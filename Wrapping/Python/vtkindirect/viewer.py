@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from typing import Any
 
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
@@ -19,10 +20,7 @@ KEYS = "i: indirect light on or off; r: reset the camera; q: quit"
 def view(scene: Scene, job: Job, size: tuple[int, int] | None = None) -> None:
     """Show a scene until its window is closed. The mouse turns, moves and zooms it."""
     window = scene.make_window(size, offscreen=False)
-    values = dict(job.settings)
-    if job.lighting is not None:
-        values["lighting"] = job.lighting
-    methods.enable(scene.renderer, job.method, job.sampler, **values)
+    job.enable(scene)
     interactor = vtkRenderWindowInteractor()
     interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
     interactor.SetRenderWindow(window)
@@ -37,8 +35,8 @@ def view(scene: Scene, job: Job, size: tuple[int, int] | None = None) -> None:
         if methods.pass_of(scene.renderer):
             methods.disable(scene.renderer)
         else:
-            method = "auto" if job.method == "off" else job.method
-            methods.enable(scene.renderer, method, job.sampler, **values)
+            on = dataclasses.replace(job, method="auto") if job.method == "off" else job
+            on.enable(scene)
         title()
         window.Render()
 

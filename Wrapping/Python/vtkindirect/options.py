@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Words of `vtkindirect.enable` as options of the command line."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from vtkindirect import skies, surroundings
+from vtkindirect.errors import UsageError
+
+NONE = "none"
+"""It stands for Python's None."""
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Add the options to a parser."""
+    parser.add_argument(
+        "--environment",
+        metavar="WHAT",
+        help=f"light from all around: {', '.join(skies.NAMES)}, an equirectangular image, a "
+        "radiance R,G,B, or none (default: the scene's)",
+    )
+    parser.add_argument(
+        "--sun",
+        metavar="AZ,EL",
+        help="a sun at an azimuth, clockwise from north, and an elevation, in degrees, and the "
+        "environment overcast where there is none",
+    )
+    parser.add_argument(
+        "--up",
+        metavar="AXIS",
+        help=f"the axis that is up for --environment and --sun: {', '.join(surroundings.AXES)} "
+        "(default: the one nearest to the camera's view-up)",
+    )
+
+
+def _numbers(text: str, count: int) -> list[float] | None:
+    """Return the numbers of a text with commas, or None."""
+    parts = text.split(",")
+    try:
+        return [float(part) for part in parts] if len(parts) == count else None
+    except ValueError:
+        return None
+
+
+def _sun(text: str) -> list[float]:
+    numbers = _numbers(text, 2)
+    if numbers is None:
+        raise UsageError(f"--sun {text}: must be AZIMUTH,ELEVATION in degrees, such as 135,40")
+    return numbers
+
+
+def parse(arguments: argparse.Namespace) -> dict[str, Any]:
+    """Return the words that a command line names; raises `UsageError` before anything is loaded."""
+    found: dict[str, Any] = {}
+    what = getattr(arguments, "environment", None)
+    if what is not None:
+        found["environment"] = None if what == NONE else _numbers(what, 3) or what
+    if getattr(arguments, "sun", None) is not None:
+        found["sun"] = _sun(arguments.sun)
+    if getattr(arguments, "up", None) is not None:
+        found["up"] = arguments.up
+    surroundings.check(**{**surroundings.NOTHING, **found})
+    return found
