@@ -9,7 +9,7 @@ import numpy as np
 
 import support
 import vtkindirect
-from vtkindirect import chain, methods, windows
+from vtkindirect import chain, messages, methods, windows
 
 WHY_NOT = support.why_no_rendering() or support.why_no_pyvista()
 if not WHY_NOT:
@@ -72,6 +72,17 @@ class Effects(unittest.TestCase):
         plotter.add_light(light)
         plotter.camera_position = [(3, -4, 3), (0, 0, 0), (0, 0, 1)]
         return plotter
+
+    def test_depth_peeling(self) -> None:
+        """OpenGL errors that VTK's peeling leaves are not taken for errors of the next frame."""
+        plotter = self.plotter()
+        plotter.add_mesh(pyvista.Sphere(center=(0, -1, 0.5)), color="green", opacity=0.4)
+        plotter.enable_depth_peeling()
+        vtkindirect.enable(plotter, **FEW)
+        with messages.capture() as said:
+            for _ in range(3):
+                plotter.render_window.Render()
+        self.assertEqual(said.errors, [])
 
     def switch_off(self, plotter: "pyvista.Plotter", off) -> None:
         """Switch an effect off; early versions of PyVista leave its graphics memory behind."""

@@ -54,6 +54,11 @@ bool Blit(vtkOpenGLState* state, const int from[2], const int to[2], int width, 
 {
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
+  // Errors of earlier calls stay until somebody asks: VTK's depth peeling leaves one. A lost context
+  // has one after another.
+  for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
   glBlitFramebuffer(from[0], from[1], from[0] + width, from[1] + height, to[0], to[1],
     to[0] + width, to[1] + height, what, GL_NEAREST);
   return glGetError() == GL_NO_ERROR;
