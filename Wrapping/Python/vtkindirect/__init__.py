@@ -37,6 +37,7 @@ from vtkindirect.errors import IndirectError, RenderError, SceneError, UsageErro
 from vtkindirect.images import copy_buffer  # noqa: E402
 from vtkindirect.methods import METHODS, SAMPLERS, disable, enable, pass_of, report  # noqa: E402
 from vtkindirect.scene import Scene, load_scene  # noqa: E402
+from vtkindirect.screenshots import screenshot  # noqa: E402
 from vtkindirect.windows import has_display, render_window, use_headless  # noqa: E402
 
 try:
@@ -62,6 +63,7 @@ __all__ = [
     "pass_of",
     "render_window",
     "report",
+    "screenshot",
     "use_headless",
     *sorted(_wrapped.CLASSES),
 ]

@@ -127,3 +127,10 @@ def as_image(values: np.ndarray) -> vtkImageData:
     flat = np.ascontiguousarray(values).reshape(-1, components)
     image.GetPointData().SetScalars(numpy_to_vtk(flat, deep=True))
     return image
+
+
+def as_array(image: vtkImageData) -> np.ndarray:
+    """Return a copy of the scalars of an image of one slice as height x width x components."""
+    width, height, _ = image.GetDimensions()
+    scalars = image.GetPointData().GetScalars()
+    return vtk_to_numpy(scalars).reshape(height, width, scalars.GetNumberOfComponents()).copy()

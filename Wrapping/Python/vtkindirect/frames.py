@@ -48,6 +48,14 @@ MOST_FILLING_FRAMES = 64
 """Frames to wait for depth maps, which arrive over several: of lights that turn with the camera
 they never are all there."""
 
+Step = Callable[..., None]
+"""Called with what begins and, maybe, the number of steps that will follow at least."""
+
+
+def no_step(_what: str, _left: int = 0) -> None:
+    """Take the place of a bar."""
+
+
 Filling = Callable[[], bool]
 """True if the last frame has drawn depth maps, so that there may be more to draw."""
 
@@ -134,6 +142,23 @@ def _stand(least: int, filling: Filling = _never) -> Iterator[None]:
         count += 1
 
 
+def fill(passes: list[Any], step: Step = no_step) -> Iterator[None]:
+    """Yield before each frame that draws depth maps which are missing after the one before.
+
+    The passes are those of `maps_first`; the last frame has light, whatever is missing still.
+    """
+    count = before = 0
+    while count < MOST_FILLING_FRAMES and any(tiles_left(indirect) > 0 for indirect in passes):
+        count += 1
+        if count == MOST_FILLING_FRAMES:
+            for indirect in passes:
+                indirect.MapsFirstOff()
+        left, now = sum(map(tiles_left, passes)), sum(map(tiles_drawn, passes))
+        step(f"{left} depth maps to draw", math.ceil(left / max(now - before, 1)) - 1)
+        before = now
+        yield
+
+
 def _steps(
     scene: Scene, window: vtkRenderWindow, job: Job, filling: Filling, least: int = 1
 ) -> Iterator[bool]:
@@ -180,17 +205,16 @@ def _steps(
 
 
 @contextlib.contextmanager
-def _maps_first(indirect: Any, on: bool) -> Iterator[None]:
-    """Let light wait for its depth maps, and give the pass its own setting back."""
-    if not on:
-        yield
-        return
-    before = indirect.GetMapsFirst()
-    indirect.MapsFirstOn()
+def maps_first(passes: list[Any]) -> Iterator[None]:
+    """Let light wait for its depth maps, and give the passes their own setting back."""
+    before = [indirect.GetMapsFirst() for indirect in passes]
+    for indirect in passes:
+        indirect.MapsFirstOn()
     try:
         yield
     finally:
-        indirect.SetMapsFirst(before)
+        for indirect, value in zip(passes, before):
+            indirect.SetMapsFirst(value)
 
 
 def moving(scene: Scene, window: vtkRenderWindow, count: int) -> float:
@@ -207,14 +231,6 @@ def moving(scene: Scene, window: vtkRenderWindow, count: int) -> float:
         if said.errors:
             raise RenderError(f"rendering failed: {said.first_error()}")
     return statistics.median(times)
-
-
-Step = Callable[..., None]
-"""Called with what begins and, maybe, the number of steps that will follow at least."""
-
-
-def no_step(_what: str, _left: int = 0) -> None:
-    """Take the place of a bar."""
 
 
 def render(
@@ -246,7 +262,8 @@ def render(
     fills = keeps and job.frames == 1 and job.pace is None
     least = {None: 1, "standing": STANDING_FRAMES}.get(job.pace, WARM_UP_FRAMES)
     steps = _steps(scene, window, job, lambda: keeps and new_tiles > 0, least)
-    with contextlib.closing(steps), _maps_first(indirect, fills), messages.capture() as said:
+    waiting = maps_first([indirect] if fills else [])
+    with contextlib.closing(steps), waiting, messages.capture() as said:
         for warm_up in steps:
             if indirect is not None:
                 indirect.SetTiming(not warm_up)
@@ -264,13 +281,7 @@ def render(
                 processor.append(spent)
             if said.errors:
                 raise RenderError(f"rendering failed: {said.first_error()}")
-        while fills and warm_up_frames < MOST_FILLING_FRAMES and tiles_left(indirect) > 0:
-            warm_up_frames += 1
-            if warm_up_frames == MOST_FILLING_FRAMES:  # with light, whatever is missing still
-                indirect.MapsFirstOff()
-            left, now = tiles_left(indirect), tiles_drawn(indirect)
-            step(f"{left} depth maps to draw", math.ceil(left / max(now - tiles, 1)) - 1)
-            tiles = now
+        for _ in fill([indirect], step) if fills else ():
             spent = time.process_time()
             times[0] += timed_render(window)
             processor[0] += 1000.0 * (time.process_time() - spent)

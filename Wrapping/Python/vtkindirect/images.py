@@ -19,11 +19,11 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
-from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkIOImage import vtkJPEGWriter, vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
 from vtkindirect import interrupts, messages, methods, wrapped
-from vtkindirect.arrays import as_image
+from vtkindirect.arrays import as_array, as_image
 from vtkindirect.errors import RenderError, UsageError, check_text, unknown
 
 FINAL = "final"
@@ -55,6 +55,7 @@ SUBSPLAT_BUFFERS = (
 # A buffer of splatting: the number of splats at each pixel over 256.
 SPLAT_BUFFERS = ("splat.overdraw",)
 FORMATS = (".png", ".exr")
+JPEG_QUALITY = 95
 
 _MAP = re.compile(rf"rsm\d{{1,3}}\.({'|'.join(MAP_BUFFERS)})")
 _SUBSPLAT = re.compile(
@@ -85,13 +86,10 @@ def copy_buffer(target: Any, name: str) -> np.ndarray:
     image = vtkImageData()
     with messages.capture() as said:
         copied = indirect.CopyBuffer(name, image)
-    scalars = image.GetPointData().GetScalars()
-    if not copied or scalars is None:
+    if not copied or image.GetPointData().GetScalars() is None:
         reason = said.first_error() or "this scene and method do not make it"
         raise RenderError(f"there is no buffer '{name}': {reason}")
-    width, height, _ = image.GetDimensions()
-    values = vtk_to_numpy(scalars).astype(np.float32, copy=True)
-    return values.reshape(height, width, scalars.GetNumberOfComponents())
+    return as_array(image).astype(np.float32, copy=False)
 
 
 def window_bytes(window: vtkRenderWindow) -> np.ndarray:
@@ -237,12 +235,26 @@ def write_png(path: Path, values: np.ndarray) -> None:
     if values.dtype != np.uint8:
         finite = np.nan_to_num(values, nan=0.0, posinf=1.0, neginf=0.0)
         values = np.rint(np.clip(finite, 0.0, 1.0) * 255.0).astype(np.uint8)
-    writer = vtkPNGWriter()
+    _write_with(vtkPNGWriter(), path, values)
+
+
+def _write_with(writer: Any, path: Path, values: np.ndarray) -> None:
+    """Write 8-bit values with a writer of VTK's."""
     writer.SetInputData(as_image(values))
     writer.WriteToMemoryOn()
     writer.Write()
     with complete_file(path) as temporary:
         temporary.write_bytes(vtk_to_numpy(writer.GetResult()).tobytes())
+
+
+def write_bytes(path: Path, values: np.ndarray) -> None:
+    """Write 8-bit values as a JPEG or a PNG file, as its name says."""
+    if path.suffix.lower() in (".jpg", ".jpeg"):
+        writer = vtkJPEGWriter()
+        writer.SetQuality(JPEG_QUALITY)
+        _write_with(writer, path, values)
+    else:
+        _write_with(vtkPNGWriter(), path, values)
 
 
 def write_exr(path: Path, values: np.ndarray, full: bool = False) -> None:

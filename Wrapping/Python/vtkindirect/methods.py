@@ -7,6 +7,7 @@ refused with a clear message; nothing else needs to change when the class is the
 
 from __future__ import annotations
 
+import atexit
 import json
 import sys
 import warnings
@@ -130,6 +131,8 @@ class _Record:
 
 # By the address of the C++ renderer: a Python object for it may come and go.
 _records: dict[str, _Record] = {}
+# Lights of PyVista's cannot go after PyVista has.
+atexit.register(_records.clear)
 
 
 def _settled(renderer: vtkRenderer) -> Any:

@@ -7,11 +7,12 @@ will do for it.
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 import numpy as np
 
-from vtkindirect import images, methods
+from vtkindirect import images, methods, screenshots
 
 NAME = "indirect"
 
@@ -46,6 +47,15 @@ class IndirectComponent:
         """Return a buffer of the last frame, bottom row first."""
         return images.copy_buffer(self._plotter, name)
 
+    def screenshot(
+        self,
+        path: str | os.PathLike[str] | None = None,
+        scale: int = 1,
+        transparent: bool = False,
+    ) -> np.ndarray:
+        """Return a finished picture, also before `show`; see `vtkindirect.screenshot`."""
+        return screenshots.screenshot(self._plotter, path, scale, transparent)
+
     def __plotter_close__(self) -> None:
         for renderer in self._renderers:
             methods.disable(renderer)
@@ -57,7 +67,8 @@ def _explain(_plotter: Any) -> Any:
 
     raise AttributeError(
         f"plotter.{NAME} needs PyVista 0.48 or later, and this is {pyvista.__version__}: call "
-        "vtkindirect.enable(plotter), and vtkindirect.disable, report and copy_buffer likewise"
+        "vtkindirect.enable(plotter), and vtkindirect.disable, report, copy_buffer and screenshot "
+        "likewise"
     )
 
 
