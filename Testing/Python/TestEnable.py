@@ -249,6 +249,20 @@ class Enable(unittest.TestCase):
         gc.collect()
         self.assertEqual(len(methods._records), before)
 
+    def test_garbage_in_a_cycle(self) -> None:
+        """Python's collection clears functions before it lets a renderer call them."""
+        for _ in range(5):
+            renderer, window = vtkRenderer(), vtkRenderWindow()
+            window.AddRenderer(renderer)
+            vtkindirect.enable(renderer)
+            cycle = [window, renderer]
+            cycle.append(cycle)
+            del renderer, window, cycle
+            gc.collect()
+        self.assertEqual(
+            [kept for kept in methods._records.values() if kept.renderer.Get() is None], []
+        )
+
     def test_wrong_types_are_one_line(self) -> None:
         on = vtkRenderer()
         vtkindirect.enable(on)

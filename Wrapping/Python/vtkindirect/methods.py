@@ -125,7 +125,9 @@ class _Record:
     around: Surroundings = field(default_factory=Surroundings)
     woven: chain.Woven | None = None
     renderer: vtkWeakReference = field(default_factory=vtkWeakReference)
-    observers: list[int] = field(default_factory=list)
+    # Tags, and what is called: a renderer in a cycle of garbage has it called after Python has
+    # cleared it, unless something else holds it.
+    observers: list[tuple[int, Any]] = field(default_factory=list)
     names: tuple[str, ...] = ()  # of PyVista's actors
 
 
@@ -193,12 +195,13 @@ def _keep(renderer: vtkRenderer, record: _Record) -> None:
     _forget(renderer)
     _records[key] = record
     record.renderer.Set(renderer)
-    record.observers = [
-        renderer.AddObserver("DeleteEvent", lambda *_: _records.pop(key, None)),
+    for event, called in (
+        ("DeleteEvent", lambda *_: _records.pop(key, None)),
         # The first when a pass is set; the second when the begin of the chain stays the same.
-        renderer.AddObserver("ModifiedEvent", lambda caller, _event: _settled(caller)),
-        renderer.AddObserver("StartEvent", lambda caller, _event: _start(caller)),
-    ]
+        ("ModifiedEvent", lambda caller, _event: _settled(caller)),
+        ("StartEvent", lambda caller, _event: _start(caller)),
+    ):
+        record.observers.append((renderer.AddObserver(event, called), called))
 
 
 def _start(renderer: vtkRenderer) -> None:
@@ -246,8 +249,8 @@ def _has_preset(record: _Record, there: Any, lighting: Any, settings: dict[str, 
 def _forget(renderer: vtkRenderer) -> _Record | None:
     record = _records.pop(renderer.__this__, None)
     if record is not None:
-        for observer in record.observers:
-            renderer.RemoveObserver(observer)
+        for tag, _ in record.observers:
+            renderer.RemoveObserver(tag)
         record.around.leave(renderer)
     return record
 
