@@ -255,80 +255,94 @@ VTK_INDIRECT_TEST(PresetLightsKit)
   }
 }
 
-// A white object's concave parts, which reflect all light that falls on them, stay within the
+// The gain of bounces is that of the cavity which has most of them, by its light balance.
+VTK_INDIRECT_TEST(PresetLightsGain)
+{
+  for (const double albedo : { 0.1, 0.5, 0.75, 0.9, 0.95, 1.0 })
+  {
+    double most = 1.0;
+    for (double share = 0.001; share <= 5.0 / 6.0; share += 0.001)
+    {
+      // Each place sees the mean of what all places of the cavity reflect.
+      const double direct = 1.0 - share;
+      double mean = direct;
+      for (int bounce = 0; bounce < 200; ++bounce)
+      {
+        mean = direct + albedo * share * mean;
+      }
+      most = std::max(most, 1.0 + albedo * share * mean);
+    }
+    CheckRelative("gain of albedo " + std::to_string(albedo),
+      vtkIndirectPresetLights::FindGain(albedo), most, 1e-3, "shares in steps of 0.001");
+  }
+  CheckEqual("gain of black", vtkIndirectPresetLights::FindGain(0.0), 1.0);
+}
+
+// Concave parts of a light object, which reflect the light that falls on them, stay within the
 // headroom between white and plain VTK's brightness, and convex parts are as bright as promised.
 VTK_INDIRECT_TEST(PresetLightsHeadroom)
 {
-  const std::vector<std::vector<vtkIndirectDistantLight>> lights = { {},
-    { { { 0, 0, 1 }, glm::dvec3(0.25) },
-      { vtkIndirectPresetLights::FromAngles(50, 10), glm::dvec3(0.75) },
-      { vtkIndirectPresetLights::FromAngles(-75, 0), glm::dvec3(0.25) },
-      { vtkIndirectPresetLights::FromAngles(0, 110), glm::dvec3(0.21) },
-      { vtkIndirectPresetLights::FromAngles(0, -110), glm::dvec3(0.21) } } };
-  for (const auto& lamps : lights)
+  const char* const why = "quadrature, and normals some degrees apart";
+  const std::vector<vtkIndirectDistantLight> headlight = { { { 0, 0, 1 }, glm::dvec3(1.0) } };
+  for (const auto& own : { headlight, MakeKit() })
   {
-    const std::vector<vtkIndirectDistantLight> own = lamps.empty()
-      ? std::vector<vtkIndirectDistantLight>{ { { 0, 0, 1 }, glm::dvec3(1.0) } }
-      : lamps;
     double plain = 0.0;
-    double all = 0.0;
     for (const vtkIndirectDistantLight& lamp : own)
     {
       plain += vtkIndirectPresetLights::GetIrradianceOfBall(lamp);
-      all += lamp.Color.x;
     }
-    // The brightest of many directions.
-    double most = 0.0;
-    Random random(3);
-    for (int i = 0; i < 100000; ++i)
-    {
-      const glm::dvec3 normal = random.NextDirection();
-      double sum = 0.0;
-      for (const vtkIndirectDistantLight& lamp : own)
-      {
-        sum += lamp.Color.x * std::max(glm::dot(normal, lamp.Direction), 0.0);
-      }
-      most = std::max(most, sum);
-    }
-    CheckRelative("the most of all directions", vtkIndirectPresetLights::FindMostIrradiance(own),
-      most, 1e-3, "directions a degree apart, of a cosine");
     for (const auto& [preset, title] : Presets)
     {
-      const bool sky = preset == vtkIndirectLightingSoft || preset == vtkIndirectLightingGentle;
       const double before =
-        vtkIndirectPresetLights::Make(preset, lamps, { 0.0, 0.0 }).GetIrradianceOfBall() / plain;
-      for (double albedo : { 0.3, 0.6, 0.9, 1.0 })
+        vtkIndirectPresetLights::Make(preset, own).GetIrradianceOfBall() / plain;
+      double last = before;
+      for (const double albedo : { 0.3, 0.6, 0.9, 1.0, -1.0 }) // below 0: data
       {
-        const std::string name = std::string(title) + ", albedo " + std::to_string(albedo);
+        const std::string name = std::string(title) + ", " + std::to_string(own.size()) +
+          " lights, albedo " + std::to_string(albedo);
         const vtkIndirectPresetLights presetLights =
-          vtkIndirectPresetLights::Make(preset, lamps, { albedo, albedo });
-        // The kept share of every light, and for the key the share that its shadows leave.
-        double kept = presetLights.Key.Color.x * (1.0 - presetLights.KeyShadow);
-        for (const vtkIndirectDistantLight& fill : presetLights.Fills)
+          vtkIndirectPresetLights::Make(preset, own, { std::max(albedo, 0.0), albedo < 0.0 });
+        // The last of the renderer's lights is kept by the same share as all others.
+        const double kept = presetLights.Fills.back().Color.x / own.back().Color.x;
+        const double gain = albedo < 0.0 ? 1.07 : vtkIndirectPresetLights::FindGain(albedo);
+        double most = 0.0;
+        double brightest = 0.0;
+        Random random(3);
+        for (int i = 0; i < 1000; ++i)
         {
-          kept += fill.Color.x;
+          const glm::dvec3 normal = random.NextDirection();
+          glm::dvec3 vtk(0.0);
+          for (const vtkIndirectDistantLight& lamp : own)
+          {
+            vtk += std::max(glm::dot(normal, lamp.Direction), 0.0) * lamp.Color;
+          }
+          glm::dvec3 all = FindIrradiance(presetLights, normal, 32);
+          all +=
+            std::max(glm::dot(normal, presetLights.Key.Direction), 0.0) * presetLights.Key.Color;
+          for (const vtkIndirectDistantLight& fill : presetLights.Fills)
+          {
+            all += std::max(glm::dot(normal, fill.Direction), 0.0) * fill.Color;
+          }
+          const glm::dvec3 concave = kept * vtk + gain * (all - kept * vtk);
+          most = std::max({ most, vtk.x, vtk.y, vtk.z });
+          brightest = std::max({ brightest, concave.x, concave.y, concave.z });
         }
-        double given = 0.0; // the preset's own unshadowed light from the viewer
-        if (!sky && !lamps.empty())
-        {
-          // The headlight's share equals that of each lobe.
-          const auto& lobe = presetLights.Lobes.at(0).Lamp;
-          const auto same = std::find_if(own.begin(), own.end(),
-            [&](const vtkIndirectDistantLight& lamp) { return lamp.Direction == lobe.Direction; });
-          given = 0.25 * lobe.Color.x / same->Color.x;
-        }
-        kept = (kept - given) / all;
+        const double white = 1.0 / std::abs(albedo);
+        CheckAtMost(name + ", what is concave", brightest, std::max(white, most) * 1.01, why);
         const double total = presetLights.GetIrradianceOfBall() / plain;
-        const double strength = total - kept;
-        const double gain = 1.0 / (1.0 - (sky ? 0.4 : 0.5) * albedo);
-        if (albedo >= 0.9)
-        {
-          CheckAtMost(name + ", what is concave", kept + strength * gain,
-            std::max(1.0 / (albedo * most), 1.0) + 1e-3, "white, and the directions above");
-        }
         CheckAtLeast(name + ", what is convex", total, 0.92 - 1e-9, "the promise");
         CheckAtMost(
           name + ", no brighter than of unknown albedo", total, before + 1e-9, "rounding");
+        if (albedo > 0.0)
+        {
+          CheckAtMost(name + ", no brighter than what is darker", total, last + 1e-9, "rounding");
+          last = total;
+        }
+        if (albedo == 1.0)
+        {
+          // Nothing of the headroom is left over.
+          CheckAtLeast(name + ", what is concave", brightest, std::max(white, most) * 0.98, why);
+        }
       }
     }
   }

@@ -149,8 +149,8 @@ std::vector<vtkIndirectDistantLight> vtkIndirectLighting::CollectLamps(vtkRender
 }
 
 //------------------------------------------------------------------------------
-// Finds the albedo of the lightest actor of one colour. Data and textures have many colours, which
-// together reflect less than the brightest one.
+// Finds the albedo of the brightest channel of actors of one colour. Data and textures have many
+// colours, which together reflect less than the brightest one.
 vtkIndirectPresetAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
 {
   vtkIndirectPresetAlbedo albedo;
@@ -161,14 +161,17 @@ vtkIndirectPresetAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
   {
     vtkMapper* mapper = actor->GetMapper();
     vtkProperty* property = actor->GetProperty();
-    if (!actor->GetVisibility() || !mapper || !property->GetLighting() || actor->GetTexture() ||
-      property->GetNumberOfTextures() > 0 || HasColorsOfData(mapper))
+    if (!actor->GetVisibility() || !mapper || !property->GetLighting())
     {
+      continue;
+    }
+    if (actor->GetTexture() || property->GetNumberOfTextures() > 0 || HasColorsOfData(mapper))
+    {
+      albedo.OfData = true;
       continue;
     }
     const glm::dvec3 color = vtkIndirectMaterial::FindPlain(actor);
     albedo.Brightest = std::max({ albedo.Brightest, color.x, color.y, color.z });
-    albedo.Mean = std::max(albedo.Mean, (color.x + color.y + color.z) / 3.0);
   }
   return albedo;
 }
@@ -178,7 +181,7 @@ void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectDistan
   const vtkIndirectPresetAlbedo& albedo)
 {
   vtkIndirectKey key;
-  key.Add("preset", preset).Add("albedo", albedo.Brightest).Add("albedo", albedo.Mean);
+  key.Add("preset", preset).Add("albedo", albedo.Brightest).Add("albedo", albedo.OfData);
   for (const vtkIndirectDistantLight& lamp : lamps)
   {
     key.Add("lights", lamp.Direction).Add("lights", lamp.Color);

@@ -20,25 +20,19 @@ struct Balance
   // The light that objects receive of the other share, including reflections, over the light that
   // they would receive if nothing hid any of it: near the middle of the scenes of readability.py.
   double Openness;
-  // The share of a concave part's hemispheres in which its surfaces see each other. Faces at a
-  // right angle see each other in at most half of their hemispheres, under a key that falls on
-  // both. A sky reaches less of the surfaces that see others: 0.35 represents the brightest pixels
-  // of white trays, corners, bowls and rooms.
-  double Facing;
 };
 
 // Light from a kit, the renderer's or that of the preset full: openness is 0.61 (isosurfaces) to
 // 0.99 (a part on a table). With 0.5 a quadric in a kit would be 12 % darker than plain VTK's.
-constexpr Balance OfKit = { 0.6, 0.83, 0.5 };
-constexpr Balance OfSkyFromKit = { 0.6, 0.83, 0.4 };
+constexpr Balance OfKit = { 0.6, 0.83 };
 
 // Light from around the viewer: openness is 0.74 (a molecule) to 0.97 (a part on a table). Surfaces
 // that the camera sees are open towards the camera, so openness varies less and a smaller share is
 // kept.
-constexpr Balance OfSkyAtViewer = { 0.4, 0.86, 0.4 };
+constexpr Balance OfSkyAtViewer = { 0.4, 0.86 };
 
-// Convex objects have no bounces. They may become this much darker than in plain VTK, so that
-// concave ones do not burn out. Then brightness is within 10 % of VTK's, whatever the shape.
+// Objects of the openness above may become this much darker than in plain VTK, so that concave
+// parts do not burn out. Convex ones become less so.
 constexpr double Dimming = 0.08;
 
 // Half of a lobe's radiance lies within 33 degrees of its middle. A lobe covers several of the
@@ -49,6 +43,22 @@ constexpr double Exponent = 4.0;
 // the maps of all directions are kept while the camera turns, and no direction is so bright that it
 // gets finer maps.
 constexpr double Everywhere = 0.15;
+
+// The largest share of a sphere that a cavity is: that of a room without one of its six walls.
+// Deeper ones show the camera little of their inside.
+constexpr double Deepest = 5.0 / 6.0;
+
+// The gain of bounces among colours of data and textures, which differ from place to place. With 1
+// a molecule clips in 0.6 % of its pixels (Testing/Benchmark/worth.py), with 1.17 it is 10 % darker
+// than in plain VTK.
+constexpr double GainOfData = 1.07;
+
+// Normals for which irradiance is bounded, 4 degrees apart: a cosine's maximum is met to 0.2 %.
+constexpr int Normals = 1024;
+
+// Directions of a sky by parallels of equal height about the vertical.
+constexpr int Rows = 32;
+constexpr int Columns = 32;
 
 // Makes the kit that replaces a headlight: a key and a fill beside the viewer, and rims. They are
 // at the height of the viewer's eyes, because surfaces that face up are dim in a headlight, too:
@@ -68,6 +78,11 @@ std::vector<vtkIndirectDistantLight> MakeKit(const glm::dvec3& color)
 double GetMean(const glm::dvec3& color)
 {
   return (color.x + color.y + color.z) / 3.0;
+}
+
+double GetMost(const glm::dvec3& color)
+{
+  return std::max({ color.x, color.y, color.z });
 }
 
 bool IsHeadlight(const vtkIndirectDistantLight& lamp)
@@ -153,24 +168,90 @@ struct Exchange
   double Strength;
 };
 
-Exchange FindExchange(
-  const Balance& balance, double share, const vtkIndirectPresetAlbedo& albedo, double most)
+// Returns the light of the sky as lamps: each direction's radiance over pi, times its solid angle,
+// is the VTK irradiance of a surface that faces it.
+std::vector<vtkIndirectDistantLight> MakeLampsOfSky(const vtkIndirectPresetLights& presetLights)
 {
+  std::vector<vtkIndirectDistantLight> lamps;
+  for (int j = 0; j < Rows; ++j)
+  {
+    const double y = 2.0 * (j + 0.5) / Rows - 1.0;
+    const double r = std::sqrt(1.0 - y * y);
+    for (int i = 0; i < Columns; ++i)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * (i + 0.5) / Columns;
+      const glm::dvec3 direction(r * std::cos(angle), y, r * std::sin(angle));
+      lamps.push_back(
+        { direction, presetLights.GetRadiance(direction) * (4.0 / (Rows * Columns)) });
+    }
+  }
+  return lamps;
+}
+
+glm::dvec3 FindIrradiance(
+  const std::vector<vtkIndirectDistantLight>& lamps, const glm::dvec3& normal)
+{
+  glm::dvec3 sum(0.0);
+  for (const vtkIndirectDistantLight& lamp : lamps)
+  {
+    sum += std::max(glm::dot(normal, lamp.Direction), 0.0) * lamp.Color;
+  }
+  return sum;
+}
+
+// Finds the strength at which no surface becomes brighter than white, or than plain VTK's
+// brightest where that clips: 1 - r + s G of the two kinds of light, for each normal and channel.
+Exchange FindExchange(const Balance& balance, double share, const vtkIndirectPresetAlbedo& albedo,
+  const std::vector<vtkIndirectDistantLight>& lamps, const vtkIndirectPresetLights& presetLights)
+{
+  std::vector<vtkIndirectDistantLight> own = MakeLampsOfSky(presetLights);
+  own.push_back(presetLights.Key);
+  own.insert(own.end(), presetLights.Fills.begin(), presetLights.Fills.end());
+  std::vector<glm::dvec3> plain;
+  std::vector<glm::dvec3> replacing;
+  double most = 0.0;
+  for (int i = 0; i < Normals; ++i)
+  {
+    // A spiral from pole to pole, of equal areas.
+    const double y = 1.0 - 2.0 * (i + 0.5) / Normals;
+    const double r = std::sqrt(1.0 - y * y);
+    const double angle = vtkMath::Pi() * (3.0 - std::sqrt(5.0)) * i;
+    const glm::dvec3 normal(r * std::cos(angle), y, r * std::sin(angle));
+    plain.push_back(FindIrradiance(lamps, normal));
+    replacing.push_back(FindIrradiance(own, normal));
+    most = std::max(most, GetMost(plain.back()));
+  }
+  const auto shareOf = [&](double strength)
+  { return std::min(share, strength * balance.Openness + Dimming); };
+  const auto fits = [&](double strength, double brightest, double gain)
+  {
+    const double kept = 1.0 - shareOf(strength);
+    double found = 0.0;
+    for (int i = 0; i < Normals; ++i)
+    {
+      found = std::max(found, GetMost(kept * plain[i] + strength * gain * replacing[i]));
+    }
+    return brightest * found <= std::max(1.0, brightest * most) * (1.0 + 1e-9);
+  };
+  const double gain = vtkIndirectPresetLights::FindGain(albedo.Brightest);
+  const auto fit = [&](double strength)
+  {
+    return fits(strength, albedo.Brightest, gain) &&
+      (!albedo.OfData || fits(strength, 1.0, GainOfData));
+  };
   Exchange found = { share, share / balance.Openness };
-  const double gain = 1.0 / (1.0 - std::min(albedo.Mean, 1.0) * balance.Facing);
-  const double brightest = albedo.Brightest * most;
-  if (brightest <= 0.0)
+  if (!fit(found.Strength))
   {
-    return found;
+    // The brightest is a convex function of the strength, and fits where that is 0.
+    double low = 0.0;
+    for (int i = 0; i < 24; ++i)
+    {
+      const double middle = 0.5 * (low + found.Strength);
+      (fit(middle) ? low : found.Strength) = middle;
+    }
+    found.Strength = low;
+    found.Share = shareOf(low);
   }
-  // A surface that plain VTK clips leaves no room for more light, and needs none.
-  const double room = std::max(1.0 / brightest - 1.0, 0.0);
-  if (found.Strength * (gain - 1.0) > room + Dimming)
-  {
-    found.Strength = (room + Dimming) / (gain - 1.0);
-  }
-  found.Share = std::min(share, found.Strength + Dimming);
-  found.Strength = std::min(found.Strength, (room + found.Share) / gain);
   return found;
 }
 
@@ -243,50 +324,26 @@ double vtkIndirectPresetLights::GetIrradianceOfBall() const
   {
     sum += GetIrradianceOfBall(fill);
   }
-  // Sums over the sky by parallels of equal height about the vertical.
-  constexpr int Rows = 64;
-  constexpr int Columns = 64;
-  for (int j = 0; j < Rows; ++j)
+  for (const vtkIndirectDistantLight& lamp : MakeLampsOfSky(*this))
   {
-    const double y = 2.0 * (j + 0.5) / Rows - 1.0;
-    const double r = std::sqrt(1.0 - y * y);
-    for (int i = 0; i < Columns; ++i)
-    {
-      const double angle = 2.0 * vtkMath::Pi() * (i + 0.5) / Columns;
-      const glm::dvec3 direction(r * std::cos(angle), y, r * std::sin(angle));
-      // Radiance over pi, times a solid angle, is the VTK irradiance of a surface that faces it.
-      sum += GetIrradianceOfBall({ direction, this->GetRadiance(direction) }) * 4.0 /
-        static_cast<double>(Rows * Columns);
-    }
+    sum += GetIrradianceOfBall(lamp);
   }
   return sum;
 }
 
 //------------------------------------------------------------------------------
-double vtkIndirectPresetLights::FindMostIrradiance(
-  const std::vector<vtkIndirectDistantLight>& lamps)
+double vtkIndirectPresetLights::FindGain(double albedo)
 {
-  // A surface with the greatest irradiance faces the sum of the lamps that it sees, weighted by
-  // their light. Turning from a lamp's direction to that sum never reduces the irradiance, and few
-  // turns suffice.
-  double most = 0.0;
-  for (const vtkIndirectDistantLight& first : lamps)
+  // Places of a cavity that is a share f of a sphere see one another alike, and receive on average
+  // 1 - f of the light that a surface facing it would receive. Such a surface receives
+  // 1 + a f (1 - f) / (1 - a f), which is greatest where f = (1 - sqrt(1 - a)) / a.
+  const double a = vtkMath::ClampValue(albedo, 0.0, 1.0);
+  if (a == 0.0)
   {
-    glm::dvec3 normal = first.Direction;
-    for (int turn = 0; turn < 16; ++turn)
-    {
-      glm::dvec3 sum(0.0);
-      for (const vtkIndirectDistantLight& lamp : lamps)
-      {
-        sum += glm::dot(lamp.Direction, normal) > 0.0 ? GetMean(lamp.Color) * lamp.Direction
-                                                      : glm::dvec3(0.0);
-      }
-      const double length = glm::length(sum);
-      most = std::max(most, length);
-      normal = length > 0.0 ? sum / length : normal;
-    }
+    return 1.0;
   }
-  return most;
+  const double f = std::min((1.0 - std::sqrt(1.0 - a)) / a, Deepest);
+  return 1.0 + a * f * (1.0 - f) / (1.0 - a * f);
 }
 
 //------------------------------------------------------------------------------
@@ -300,9 +357,7 @@ vtkIndirectPresetLights vtkIndirectPresetLights::Make(
   const bool headlight = std::all_of(lamps.begin(), lamps.end(), IsHeadlight);
   const bool gentle = preset == vtkIndirectLightingGentle;
   const bool sky = gentle || preset == vtkIndirectLightingSoft;
-  const Balance balance = !sky ? OfKit : headlight ? OfSkyAtViewer : OfSkyFromKit;
-  const Exchange rest = FindExchange(
-    balance, (gentle ? 0.5 : 1.0) * (1.0 - balance.Kept), albedo, FindMostIrradiance(lamps));
+  const Balance balance = sky && headlight ? OfSkyAtViewer : OfKit;
   vtkIndirectPresetLights presetLights;
   if (sky)
   {
@@ -329,7 +384,10 @@ vtkIndirectPresetLights vtkIndirectPresetLights::Make(
   }
   presetLights.Ambient = glm::max(presetLights.Ambient, glm::dvec3(Everywhere * plain));
   const double own = presetLights.GetIrradianceOfBall();
-  Scale(presetLights, own > 0.0 ? rest.Strength * plain / own : 0.0);
+  Scale(presetLights, own > 0.0 ? plain / own : 0.0);
+  const Exchange rest =
+    FindExchange(balance, (gentle ? 0.5 : 1.0) * (1.0 - balance.Kept), albedo, lamps, presetLights);
+  Scale(presetLights, rest.Strength);
   Keep(presetLights, lamps, 1.0 - rest.Share);
   return presetLights;
 }

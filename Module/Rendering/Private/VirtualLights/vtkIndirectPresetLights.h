@@ -11,12 +11,11 @@
 // which nothing hides. The light that replaces the rest comes from the same directions, and gives a
 // ball the same irradiance.
 //
-// Surfaces reflect the replacing light, and nothing of the kept light. A concave part of albedo a,
-// whose surfaces see each other in a share F of their hemispheres, receives G = 1 / (1 - a F) times
-// the light that falls on it, all bounces taken together. Nearly white surfaces have no room for
-// that. So where strength s replaces a share r, 1 - r + s G must not exceed the ratio of white to
-// plain VTK's brightest surface: 1 / (a P), where P is the greatest irradiance that the renderer's
-// lights give any surface.
+// Surfaces reflect the replacing light, and nothing of the kept light. A concave part receives G
+// times the light that falls on it, all bounces taken together (FindGain). Nearly white surfaces
+// have no room for that. So where strength s replaces a share r, (1 - r) P + s G Q must not exceed
+// 1 / a in any channel for a surface of any direction, where a is the albedo, P the irradiance by
+// the renderer's lights and Q that by the lights that replace them.
 #pragma once
 
 #include <glm/glm.hpp> // for directions and colours
@@ -30,13 +29,14 @@ struct vtkIndirectDistantLight
 };
 
 /**
- * This is the albedo of the surfaces that the lights shine on, as far as their colours are known;
- * zero: unknown.
+ * This is the albedo of the surfaces that the lights shine on.
  */
 struct vtkIndirectPresetAlbedo
 {
-  double Brightest = 0.0; // greatest of all channels, which may become white
-  double Mean = 0.0;      // of red, green and blue, of the lightest surface: for bounces
+  double Brightest = 0.0; // greatest of all channels of actors of one colour; 0: there is none
+  // Data or textures give colours. A place may be as bright as white in a channel; bounces among
+  // them are taken as small.
+  bool OfData = false;
 };
 
 struct vtkIndirectPresetLights
@@ -72,8 +72,11 @@ struct vtkIndirectPresetLights
    */
   static vtkIndirectPresetLights Make(int preset, std::vector<vtkIndirectDistantLight> lamps,
     const vtkIndirectPresetAlbedo& albedo = vtkIndirectPresetAlbedo());
-  /** Returns the greatest irradiance that lamps give a surface of any direction. */
-  static double FindMostIrradiance(const std::vector<vtkIndirectDistantLight>& lamps);
+  /**
+   * Returns the light that a cavity of this albedo receives where it receives most, with all
+   * bounces, over the light that falls there directly.
+   */
+  static double FindGain(double albedo);
   /** Returns the direction for angles in degrees, as in vtkLight::SetDirectionAngle. */
   static glm::dvec3 FromAngles(double elevation, double azimuth);
 };
