@@ -18,7 +18,16 @@ from typing import Any
 from vtkmodules.vtkCommonCore import vtkWeakReference
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
-from vtkindirect import area_lights, chain, environments, names, surroundings, widgets, wrapped
+from vtkindirect import (
+    area_lights,
+    chain,
+    environments,
+    names,
+    qualities,
+    surroundings,
+    widgets,
+    wrapped,
+)
 from vtkindirect import lighting as lightings
 from vtkindirect import settings as properties
 from vtkindirect.errors import UsageError, check_text, unknown
@@ -120,6 +129,7 @@ class _Record:
     method: str | None = None
     settings: dict[str, Any] = field(default_factory=dict)
     configured: tuple[Any, ...] = ()
+    quality: str = qualities.DEFAULT
     lighting: str | None = None  # asked for; None: nothing but what the pass has been set to
     chosen: tuple[str, str] | None = None  # what "auto" stood for last, and why
     around: Surroundings = field(default_factory=Surroundings)
@@ -287,7 +297,11 @@ def parts(indirect: Any) -> list[Any]:
 
 
 def _configure(
-    record: _Record, method: Method, sampler: str | None, settings: dict[str, Any]
+    record: _Record,
+    method: Method,
+    sampler: str | None,
+    quality: str,
+    settings: dict[str, Any],
 ) -> None:
     """Bring the pass to a method and set properties; keeps what a call does not mention.
 
@@ -327,6 +341,8 @@ def _configure(
         raise
     record.method, record.configured = method.name, tuple(targets)
     record.settings.update(asked)
+    qualities.apply(targets, new, record.quality, quality, record.settings)
+    record.quality = quality
 
 
 def _explain_owner(name: str, method: Method, sampler: Any) -> None:
@@ -369,6 +385,7 @@ def enable(
     sun: Any = KEEP,
     up: Any = KEEP,
     lighting: Any = KEEP,
+    quality: Any = KEEP,
     **settings: Any,
 ) -> Any:
     """Switch indirect light on; returns the vtkIndirectIlluminationPass.
@@ -405,6 +422,9 @@ def enable(
     environment. `report` says which, and why. Beside a sun or an environment of a call "auto"
     switches lights that follow the camera off, until `disable`; "scene" leaves them on.
 
+    `quality` is "draft", "interactive", which a new pass has, or "final": settings for how long a
+    picture may take (`qualities.QUALITIES`). Settings that a call names hold beside it.
+
     Calling again changes the method and the settings that are given and keeps the others, where the
     method has them. After an error everything is as it was.
 
@@ -419,6 +439,7 @@ def enable(
     row = check_method(method)
     if row.name == "off":
         words = {"environment": environment, "sun": sun, "up": up, "lighting": lighting}
+        words["quality"] = quality
         given = [*settings, *(name for name, value in words.items() if value is not KEEP)]
         given += ["sampler"] if sampler else []
         if given:
@@ -426,6 +447,8 @@ def enable(
         disable(target)
         return None
     around = surroundings.check(environment, sun, up)
+    if quality is not KEEP:
+        qualities.check(quality)
     by_name = any(lightings.is_property(name) for name in settings)
     if lighting is not KEEP:
         lightings.check(lighting)
@@ -441,7 +464,8 @@ def enable(
         if there is None and environment is KEEP and attached is not None:
             record.indirect.SetEnvironment(attached)
         record.around.check(around, _has_preset(record, there, lighting, settings), record.indirect)
-        _configure(record, row, sampler, settings)
+        wanted = record.quality if quality is KEEP else quality
+        _configure(record, row, sampler, wanted, settings)
         record.around.ask(around, record.indirect)
         if there is None:
             for light in area_lights.attached(renderer):
@@ -520,6 +544,7 @@ def report(target: Any) -> dict[str, Any]:
             result["lighting"] = {"used": used, "why": f"auto: {why}"}
             result["modelled"].append({"what": f"lighting auto: {used}", "why": why})
         if record.indirect is indirect:
+            result["quality"] = record.quality
             modelled, left_out = record.around.report()
             result["modelled"] += modelled
             result["left_out"] += left_out

@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from vtkindirect import skies, surroundings
+from vtkindirect import qualities, skies, surroundings
 from vtkindirect.errors import UsageError
 
 NONE = "none"
@@ -32,6 +32,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="AXIS",
         help=f"the axis that is up for --environment and --sun: {', '.join(surroundings.AXES)} "
         "(default: the one nearest to the camera's view-up)",
+    )
+    parser.add_argument(
+        "--quality",
+        metavar="NAME",
+        help=f"how long a picture may take: {', '.join(qualities.NAMES)} "
+        f"(default: {qualities.DEFAULT})",
     )
 
 
@@ -61,5 +67,8 @@ def parse(arguments: argparse.Namespace) -> dict[str, Any]:
         found["sun"] = _sun(arguments.sun)
     if getattr(arguments, "up", None) is not None:
         found["up"] = arguments.up
-    surroundings.check(**{**surroundings.NOTHING, **found})
+    if getattr(arguments, "quality", None) is not None:
+        found["quality"] = qualities.check(arguments.quality)
+    around = {name: found[name] for name in surroundings.NOTHING if name in found}
+    surroundings.check(**{**surroundings.NOTHING, **around})
     return found
