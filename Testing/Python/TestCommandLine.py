@@ -210,7 +210,8 @@ class Rendering(support.DirectoryTest):
         for actor in glass["actors"]:
             actor["opacity"] = 0.5
         self.write("scene.json", glass)
-        (line,) = self.run_line("-o", out).stderr.splitlines()
+        props, line = self.run_line("-o", out).stderr.splitlines()
+        self.assertIn("note: without a part in indirect light: vtkOpenGLActor", props)
         self.assertIn("the delegate alone drew the picture: nothing opaque", line)
 
     def test_report_alone(self) -> None:

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Catches what VTK prints, so that a failed reader or shader becomes one line."""
+"""Catches what VTK prints, so that a failed reader or shader becomes one line; whom warnings name."""
 
 from __future__ import annotations
 
 import re
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -66,3 +67,15 @@ def capture() -> Iterator[Messages]:
         window.SetDisplayMode(mode)
         for tag in tags:
             window.RemoveObserver(tag)
+
+
+def users_level() -> int:
+    """Return the stack level, for `warnings.warn` of the caller, of the code outside of this package
+    and PyVista."""
+    frame, level = sys._getframe(2), 2
+    while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] in (
+        "vtkindirect",
+        "pyvista",
+    ):
+        frame, level = frame.f_back, level + 1
+    return level

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import atexit
 import json
-import sys
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -22,6 +21,7 @@ from vtkindirect import (
     area_lights,
     chain,
     environments,
+    messages,
     names,
     qualities,
     surroundings,
@@ -32,6 +32,7 @@ from vtkindirect import lighting as lightings
 from vtkindirect import settings as properties
 from vtkindirect.errors import UsageError, check_text, unknown
 from vtkindirect.keep import KEEP
+from vtkindirect.partaking import Warner
 from vtkindirect.surroundings import Surroundings
 
 
@@ -132,6 +133,7 @@ class _Record:
     quality: str = qualities.DEFAULT
     lighting: str | None = None  # asked for; None: nothing but what the pass has been set to
     chosen: tuple[str, str] | None = None  # what "auto" stood for last, and why
+    warner: Warner = field(default_factory=Warner)
     around: Surroundings = field(default_factory=Surroundings)
     woven: chain.Woven | None = None
     renderer: vtkWeakReference = field(default_factory=vtkWeakReference)
@@ -179,19 +181,8 @@ def _weave(renderer: vtkRenderer, record: _Record) -> None:
         reasons = "; ".join(f"{name}: {chain.why_left_out(name)}" for name in new)
         warnings.warn(
             f"without effect until vtkindirect.disable, while indirect light is on: {reasons}",
-            stacklevel=_users_level(),
+            stacklevel=messages.users_level(),
         )
-
-
-def _users_level() -> int:
-    """Return the stack level, as `_weave` counts, of the caller outside of this and PyVista."""
-    frame, level = sys._getframe(2), 2
-    while frame.f_back is not None and frame.f_globals.get("__name__", "").split(".")[0] in (
-        "vtkindirect",
-        "pyvista",
-    ):
-        frame, level = frame.f_back, level + 1
-    return level
 
 
 def _keep(renderer: vtkRenderer, record: _Record) -> None:
@@ -210,6 +201,7 @@ def _keep(renderer: vtkRenderer, record: _Record) -> None:
         # The first when a pass is set; the second when the begin of the chain stays the same.
         ("ModifiedEvent", lambda caller, _event: _settled(caller)),
         ("StartEvent", lambda caller, _event: _start(caller)),
+        ("EndEvent", lambda caller, _event: record.warner.look(caller, record.indirect)),
     ):
         record.observers.append((renderer.AddObserver(event, called), called))
 
