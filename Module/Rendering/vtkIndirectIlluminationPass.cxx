@@ -16,6 +16,7 @@
 #include "Pipeline/vtkIndirectLighting.h"
 #include "Pipeline/vtkIndirectPipeline.h"
 #include "vtkAreaLight.h"
+#include "vtkCommand.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkHiddenLineRemovalPass.h"
 #include "vtkImageData.h"
@@ -422,6 +423,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   in.Pipeline.Timer.EndFrame();
   in.FrameSettings = this->CollectSettings();
   vtkOpenGLCheckErrorMacro("failed after indirect illumination");
+  this->InvokeEvent(vtkCommand::EndEvent);
 }
 
 //------------------------------------------------------------------------------

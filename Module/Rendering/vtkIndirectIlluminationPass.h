@@ -58,6 +58,10 @@ public:
   vtkTypeMacro(vtkIndirectIlluminationPass, vtkOpenGLRenderPass);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Renders a frame. EndEvent follows, except after hardware selection: observers may read buffers
+   * of this frame, and set passes around this one, which have not drawn yet.
+   */
   void Render(const vtkRenderState* s) override;
 
   /** Releases all resources in the window's context; does nothing without a window. */

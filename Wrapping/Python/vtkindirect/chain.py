@@ -150,18 +150,60 @@ def take_out(renderer: vtkRenderer, replacement: Any) -> None:
     link = find(renderer.GetPass())
     if link is None:
         return
-    indirect, name, parent = link
-    replacement = replacement or (None if parent is None else opengl.vtkRenderStepsPass())
+    begins = link[2] is None
+    _replace(renderer, link, replacement or (None if begins else opengl.vtkRenderStepsPass()))
+
+
+def _replace(renderer: vtkRenderer, link: tuple[Any, str, Any], replacement: Any) -> None:
+    """Put another pass in the place of one that `links` has found."""
+    there, name, parent = link
     if parent is None:
         renderer.SetPass(replacement)
     elif name == "Passes":
         passes = parent.GetPasses()
         for index in range(passes.GetNumberOfItems()):
-            if passes.GetItemAsObject(index) is indirect:
+            if passes.GetItemAsObject(index) is there:
                 passes.ReplaceItem(index, replacement)
         parent.Modified()
     else:
         getattr(parent, f"Set{name}")(replacement)
+
+
+# Effects that look up the depth of what they work on, of which a curve for tones leaves nothing.
+_WITH_DEPTH = frozenset(("vtkEDLShading", "vtkDepthOfFieldPass"))
+
+_ANTIALIASING = frozenset(("vtkOpenGLFXAAPass", "vtkSSAAPass"))
+
+
+def inside_of_curve(renderer: vtkRenderer, indirect: Any) -> Any:
+    """Return what a curve for tones goes around: the project's pass, or effects that need depth.
+
+    All other effects go around the curve, because their pictures have no values above 1.
+    """
+    effects, _ = _effects(renderer.GetPass())
+    return next((found for found in effects if found.GetClassName() in _WITH_DEPTH), indirect)
+
+
+def antialiases(renderer: vtkRenderer, but: Any = None) -> bool:
+    """Return whether an effect in a renderer's chain, but one, antialiases the picture."""
+    effects, _ = _effects(renderer.GetPass())
+    return any(
+        found.GetClassName() in _ANTIALIASING for found in effects if found is not but
+    )
+
+
+def put_around(renderer: vtkRenderer, inner: Any, effect: Any) -> None:
+    """Put a pass that works on a picture around another one of the renderer's chain."""
+    (link,) = [found for found in links(renderer.GetPass()) if found[0] is inner]
+    effect.SetDelegatePass(inner)
+    _replace(renderer, link, effect)
+
+
+def take_off(renderer: vtkRenderer, effect: Any) -> None:
+    """Undo `put_around`, where the effect is still in the renderer's chain."""
+    for link in [found for found in links(renderer.GetPass()) if found[0] is effect]:
+        _replace(renderer, link, effect.GetDelegatePass())
+    effect.SetDelegatePass(None)
 
 
 def why_left_out(name: str) -> str:

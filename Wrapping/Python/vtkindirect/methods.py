@@ -25,6 +25,7 @@ from vtkindirect import (
     names,
     qualities,
     surroundings,
+    tones,
     widgets,
     wrapped,
 )
@@ -135,6 +136,7 @@ class _Record:
     chosen: tuple[str, str] | None = None  # what "auto" stood for last, and why
     warner: Warner = field(default_factory=Warner)
     around: Surroundings = field(default_factory=Surroundings)
+    tone: tones.Tone = field(default_factory=tones.Tone)
     woven: chain.Woven | None = None
     renderer: vtkWeakReference = field(default_factory=vtkWeakReference)
     # Tags, and what is called: a renderer in a cycle of garbage has it called after Python has
@@ -176,6 +178,7 @@ def _weave(renderer: vtkRenderer, record: _Record) -> None:
     known = record.woven.left_out if record.woven is not None else []
     record.woven = chain.weave(renderer.GetPass(), record.indirect)
     renderer.SetPass(record.woven.top)
+    record.tone.put(renderer, record.indirect)
     new = [name for name in record.woven.left_out if name not in known]
     if new:
         reasons = "; ".join(f"{name}: {chain.why_left_out(name)}" for name in new)
@@ -213,6 +216,7 @@ def _start(renderer: vtkRenderer) -> None:
     if record is not None:
         _light(renderer, record)
         record.around.place(renderer, record.indirect, record.lighting == lightings.AUTO, True)
+        record.tone.start(renderer, record.indirect)
         record.names = names.take_pyvistas(renderer, record.names)
     widgets.leave_out_of_maps(renderer)
 
@@ -254,6 +258,7 @@ def _forget(renderer: vtkRenderer) -> _Record | None:
         for tag, _ in record.observers:
             renderer.RemoveObserver(tag)
         record.around.leave(renderer)
+        record.tone.leave(renderer)
     return record
 
 
@@ -378,6 +383,8 @@ def enable(
     up: Any = KEEP,
     lighting: Any = KEEP,
     quality: Any = KEEP,
+    tone_mapping: Any = KEEP,
+    exposure: Any = KEEP,
     **settings: Any,
 ) -> Any:
     """Switch indirect light on; returns the vtkIndirectIlluminationPass.
@@ -417,6 +424,11 @@ def enable(
     `quality` is "draft", "interactive", which a new pass has, or "final": settings for how long a
     picture may take (`qualities.QUALITIES`). Settings that a call names hold beside it.
 
+    `tone_mapping` is None or "none", "reinhard", "exponential" or "filmic", the curves of VTK's
+    vtkToneMappingPass; `exposure` the factor on light before the curve, 1 by default, or "auto":
+    so that 99 % of the lit pixels are at most 1. They are for the whole picture but a plain
+    background: colour bars and texts go through the curve as surfaces do.
+
     Calling again changes the method and the settings that are given and keeps the others, where the
     method has them. After an error everything is as it was.
 
@@ -431,7 +443,7 @@ def enable(
     row = check_method(method)
     if row.name == "off":
         words = {"environment": environment, "sun": sun, "up": up, "lighting": lighting}
-        words["quality"] = quality
+        words.update(quality=quality, tone_mapping=tone_mapping, exposure=exposure)
         given = [*settings, *(name for name, value in words.items() if value is not KEEP)]
         given += ["sampler"] if sampler else []
         if given:
@@ -439,6 +451,7 @@ def enable(
         disable(target)
         return None
     around = surroundings.check(environment, sun, up)
+    tone = tones.check(tone_mapping, exposure)
     if quality is not KEEP:
         qualities.check(quality)
     by_name = any(lightings.is_property(name) for name in settings)
@@ -456,9 +469,11 @@ def enable(
         if there is None and environment is KEEP and attached is not None:
             record.indirect.SetEnvironment(attached)
         record.around.check(around, _has_preset(record, there, lighting, settings), record.indirect)
+        record.tone.check(tone, renderer)
         wanted = record.quality if quality is KEEP else quality
         _configure(record, row, sampler, wanted, settings)
         record.around.ask(around, record.indirect)
+        record.tone.ask(tone)
         if there is None:
             for light in area_lights.attached(renderer):
                 record.indirect.AddAreaLight(light)
@@ -476,6 +491,8 @@ def enable(
         _keep(renderer, record)
         if there is None:
             _weave(renderer, record)
+        else:
+            record.tone.put(renderer, record.indirect)
         passes.append(record.indirect)
     if not passes:
         raise UsageError("the window has no renderer")
@@ -537,6 +554,7 @@ def report(target: Any) -> dict[str, Any]:
             result["modelled"].append({"what": f"lighting auto: {used}", "why": why})
         if record.indirect is indirect:
             result["quality"] = record.quality
+            result["tone_mapping"] = record.tone.report()
             modelled, left_out = record.around.report()
             result["modelled"] += modelled
             result["left_out"] += left_out

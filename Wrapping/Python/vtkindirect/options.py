@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 from typing import Any
 
-from vtkindirect import qualities, skies, surroundings
+from vtkindirect import qualities, skies, surroundings, tones
 from vtkindirect.errors import UsageError
 
 NONE = "none"
@@ -39,6 +39,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=f"how long a picture may take: {', '.join(qualities.NAMES)} "
         f"(default: {qualities.DEFAULT})",
     )
+    parser.add_argument(
+        "--tone-mapping",
+        metavar="NAME",
+        help=f"curve from light to colours: {', '.join(tones.CURVES)} (default: {tones.NONE})",
+    )
+    parser.add_argument(
+        "--exposure",
+        metavar="NUMBER",
+        help=f"factor on light before that curve, or {tones.AUTO} (default: 1)",
+    )
 
 
 def _numbers(text: str, count: int) -> list[float] | None:
@@ -69,6 +79,11 @@ def parse(arguments: argparse.Namespace) -> dict[str, Any]:
         found["up"] = arguments.up
     if getattr(arguments, "quality", None) is not None:
         found["quality"] = qualities.check(arguments.quality)
+    if getattr(arguments, "tone_mapping", None) is not None:
+        found["tone_mapping"] = tones.check_curve(arguments.tone_mapping)
+    if getattr(arguments, "exposure", None) is not None:
+        number = _numbers(arguments.exposure, 1)
+        found["exposure"] = tones.check_exposure(number[0] if number else arguments.exposure)
     around = {name: found[name] for name in surroundings.NOTHING if name in found}
     surroundings.check(**{**surroundings.NOTHING, **around})
     return found
