@@ -347,6 +347,32 @@ class White(unittest.TestCase):
             window.Render()
         return images.window_bytes(window)
 
+    def test_corners(self) -> None:
+        """Samples of several surfaces lie before all of them: behind a wall they would be dark."""
+        found = []
+        for method in ("multiresolution", "gather"):
+            renderer = white(*open_box(0.8))
+            lights.add_light_kit(renderer)
+            vtkindirect.enable(renderer, method, lighting="full")
+            window = windows.render_window((320, 240), offscreen=True)
+            self.addCleanup(window.Finalize)
+            window.AddRenderer(renderer)
+            view = renderer.GetActiveCamera()
+            view.SetPosition(0, -1.6, 4)
+            view.SetFocalPoint(0, 0, 0.3)
+            renderer.ResetCameraClippingRange()
+            window.Render()
+            found.append(images.copy_buffer(renderer, "bounce").mean(axis=-1))
+        blocks, pixels = found
+        # Not beside the background, where a sample of few pixels lies beyond the surface.
+        lit = np.pad(pixels > 0.2 * pixels.max(), 4)
+        moves = [lit[y : y + 240, x : x + 320] for y in range(9) for x in range(9)]
+        seen = np.logical_and.reduce(moves)
+        self.assertGreater(int(seen.sum()), 10000)
+        dark = int((seen & (blocks < 0.75 * pixels)).sum())
+        print(f"{dark} of {int(seen.sum())} pixels are darker than three quarters")
+        self.assertLessEqual(dark, 2)
+
     def test_white(self) -> None:
         ball = vtkSphereSource()
         ball.SetThetaResolution(40)

@@ -17,6 +17,9 @@ uniform bool vtkiSplits;           // this level may be split
 uniform bool vtkiLast;             // this level is always split
 uniform float vtkiEdge;            // pixels along the edge of a written texel
 
+// A sample counts as behind a surface by more than this, of its texel's width.
+const float VTKI_BEHIND = 0.02f;
+
 struct vtkiJoin
 {
   vec3 position[4]; // view coordinates
@@ -123,10 +126,28 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   float depth;
   if (mixed)
   {
-    // No plane fits a mixture of surfaces: use the nearest child.
-    normal = children.normal[first];
-    depth = vtkiPlaneDepth(normal, children.position[first], origin, direction,
-      nearest - width, nearest + width);
+    // No plane fits a mixture of surfaces: use that of the nearest child, unless the sample lies
+    // behind another child. In a corner the plane of the wrong child continues behind a wall, where
+    // no light comes. Then the sample lies least behind the others.
+    depth = nearest;
+    float most = -1.0e30f;
+    for (int i = 0; i < 4; ++i)
+    {
+      float own = vtkiPlaneDepth(children.normal[i], children.position[i], origin, direction,
+        -children.position[i].z - width, -children.position[i].z + width);
+      vec3 middle = origin + own * direction;
+      float before = 4.0f * width;
+      for (int j = 0; j < 4; ++j)
+      {
+        float height = dot(children.normal[j], middle - children.position[j]);
+        before = children.present[j] && j != i ? min(before, height) : before;
+      }
+      before = i == first && before > -VTKI_BEHIND * width ? 8.0f * width : before;
+      bool better = children.present[i] && before > most;
+      most = better ? before : most;
+      depth = better ? own : depth;
+      normal = better ? children.normal[i] : normal;
+    }
   }
   else
   {
