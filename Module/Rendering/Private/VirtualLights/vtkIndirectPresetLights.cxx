@@ -20,20 +20,22 @@ struct Balance
   // The light that objects receive of the other share, including reflections, over the light that
   // they would receive if nothing hid any of it: near the middle of the scenes of readability.py.
   double Openness;
+  // The least of them.
+  double LeastOpenness;
 };
 
 // Light from a kit, the renderer's or that of the preset full: openness is 0.61 (isosurfaces) to
 // 0.99 (a part on a table). With 0.5 a quadric in a kit would be 12 % darker than plain VTK's.
-constexpr Balance OfKit = { 0.6, 0.83 };
+constexpr Balance OfKit = { 0.6, 0.83, 0.61 };
 
 // Light from around the viewer: openness is 0.74 (a molecule) to 0.97 (a part on a table). Surfaces
 // that the camera sees are open towards the camera, so openness varies less and a smaller share is
 // kept.
-constexpr Balance OfSkyAtViewer = { 0.4, 0.86 };
+constexpr Balance OfSkyAtViewer = { 0.4, 0.86, 0.74 };
 
-// Objects of the openness above may become this much darker than in plain VTK, so that concave
-// parts do not burn out. Convex ones become less so.
-constexpr double Dimming = 0.08;
+// Objects of the least openness may become this much darker than in plain VTK, so that concave
+// parts do not burn out. Others become less so.
+constexpr double Dimming = 0.1;
 
 // Half of a lobe's radiance lies within 33 degrees of its middle. A lobe covers several of the
 // directions that a sky is summed over, so that no direction is visible by itself.
@@ -222,7 +224,7 @@ Exchange FindExchange(const Balance& balance, double share, const vtkIndirectPre
     most = std::max(most, GetMost(plain.back()));
   }
   const auto shareOf = [&](double strength)
-  { return std::min(share, strength * balance.Openness + Dimming); };
+  { return std::min(share, strength * balance.LeastOpenness + Dimming); };
   const auto fits = [&](double strength, double brightest, double gain)
   {
     const double kept = 1.0 - shareOf(strength);
