@@ -7,6 +7,7 @@
 #include "Frame/vtkIndirectDelegateGuard.h"
 #include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectLightScope.h"
+#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectRendererWork.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
@@ -68,6 +69,12 @@ vtkInformationIntegerKey* vtkIndirectIlluminationPass::CASTS_SHADOWS()
 vtkInformationIntegerKey* vtkIndirectIlluminationPass::SENDS_LIGHT()
 {
   return vtkIndirectInformationKeys::SendsLight();
+}
+
+//------------------------------------------------------------------------------
+vtkInformationIntegerKey* vtkIndirectIlluminationPass::CATCHES_LIGHT()
+{
+  return vtkIndirectInformationKeys::CatchesLight();
 }
 
 //------------------------------------------------------------------------------
@@ -433,7 +440,15 @@ void vtkIndirectIlluminationPass::RenderDelegate(const vtkRenderState* s, const 
   in.Pipeline.Forget(why);
   in.Pipeline.Timer.Begin(vtkIndirectStageTimer::Delegate);
   vtkRenderPass* delegate = in.FindDelegate(s, this->DelegatePass);
-  delegate->Render(s);
+  // Props that catch light show nothing of themselves.
+  std::vector<vtkProp*> props(s->GetPropArray(), s->GetPropArray() + s->GetPropArrayCount());
+  props.erase(
+    std::remove_if(props.begin(), props.end(), vtkIndirectPropKind::CatchesLight), props.end());
+  vtkRenderState shown(s->GetRenderer());
+  shown.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));
+  shown.SetFrameBuffer(s->GetFrameBuffer());
+  shown.SetRequiredKeys(s->GetRequiredKeys());
+  delegate->Render(&shown);
   this->NumberOfRenderedProps += delegate->GetNumberOfRenderedProps();
   in.Pipeline.Timer.End(vtkIndirectStageTimer::Delegate);
 }

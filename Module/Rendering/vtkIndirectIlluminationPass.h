@@ -404,6 +404,18 @@ public:
   ///@}
 
   /**
+   * A property key of a prop, 1 or 0: the prop shows the background in place of itself, times the
+   * light that it receives over the light that it would receive if nothing else was in the scene.
+   * It thus shows the shadows on it, and the light that other surfaces send to it, and nothing
+   * where there is neither. Alpha grows by the share of the background that is lost. The prop
+   * writes no depth, casts no shadow and sends no light, unless CASTS_SHADOWS is 1, and neither the
+   * scene's size nor maps of lights depend on it. The camera's near and far planes do not cut it
+   * off. It needs lit faces of a diffuse colour other than black, and takes no part in selection
+   * only where it is not pickable. Default 0.
+   */
+  static vtkInformationIntegerKey* CATCHES_LIGHT();
+
+  /**
    * A property key of a prop: the name that the report and errors use for it, such as that of the
    * file that it shows. Default: none; with VTK 9.2 and later vtkObject::SetObjectName also sets a
    * name. Props without a name are distinguished by the classes of their mapper and its source.

@@ -63,6 +63,7 @@ NOT_RUN = {
     ("Documentation/guide.md", "vtkNew<vtkMultiresolutionSplattingPass>"): CXX,
     ("Documentation/guide.md", "splatting->SetPresetToPaper();"): CXX,
     ("Documentation/guide.md", "vtkNew<vtkInformation> keys;"): CXX,
+    ("Documentation/guide.md", "keys->Set(vtkIndirectIlluminationPass::CATCHES_LIGHT()"): CXX,
     ("Documentation/papers.md", "Testing/Benchmark/papers.py"): (
         "it needs minutes; Benchmark.pages looks for its figures"
     ),

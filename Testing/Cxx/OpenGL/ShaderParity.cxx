@@ -208,6 +208,9 @@ VTK_INDIRECT_TEST(StagesLink)
                              "vtkiFetchCoarse(vtkiLights[0], position) * vtkiUnits[0];\n"
                              "#define VTKI_ADD_RADIANCE radiance += specular * "
                              "textureLod(vtkiLights[1], place, 0.0f).rgb * scale;\n"
+                             "#define VTKI_ADD_OPEN open += "
+                             "textureLod(vtkiOpenLights[0], place, 0.0f).rgb * vtkiUnits[0];\n"
+                             "#define VTKI_CATCHES\n#define VTKI_CATCHERS\n"
                              "#define VTKI_SPECULAR\n";
   for (const vtkIndirectShaderTableEntry* entry = vtkIndirectShaderTable; entry->Name; ++entry)
   {

@@ -40,6 +40,7 @@ BUFFERS = (
     "normal",
     "depth",
     "specular",
+    "caught",
     "lights",
     "branches",
     "lobes",

@@ -21,6 +21,7 @@
 #include "vtkRenderState.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_set>
 
 namespace
@@ -157,7 +158,9 @@ bool vtkIndirectGeometryBuffer::DrawDepthOfSamples(
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
-  std::vector<vtkProp*> props = frame.Captured;
+  std::vector<vtkProp*> props;
+  std::copy_if(frame.Captured.begin(), frame.Captured.end(), std::back_inserter(props),
+    [](vtkProp* prop) { return !vtkIndirectPropKind::CatchesLight(prop); });
   props.insert(props.end(), frame.ColorOnly.begin(), frame.ColorOnly.end());
   vtkRenderState s2(s->GetRenderer());
   s2.SetPropArrayAndCount(props.data(), static_cast<int>(props.size()));

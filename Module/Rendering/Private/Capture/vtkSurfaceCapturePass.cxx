@@ -10,8 +10,10 @@
 #include "Capture/vtkIndirectLightConstants.h"
 #include "Capture/vtkIndirectPixelRays.h"
 #include "Capture/vtkIndirectShadowMaps.h"
+#include "Capture/vtkIndirectUnclipped.h"
 #include "Capture/vtkIndirectWithin.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectRendererAccess.h"
 #include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "vtkAbstractMapper.h"
@@ -76,11 +78,14 @@ struct vtkSurfaceCapturePass::Internals
   std::unordered_map<vtkProp*, int> Numbers;
 
   // Each prop has two numbers: lines and points drawn onto its faces count as separate shapes.
-  int FindNumber(vtkProp* prop, bool triangles)
+  int FindNumber(vtkProp* prop, bool triangles, bool catches)
   {
     const int next = static_cast<int>(this->Numbers.size());
-    return 2 * this->Numbers.emplace(prop, next).first->second + (triangles ? 1 : 0);
+    const int number = 2 * this->Numbers.emplace(prop, next).first->second + (triangles ? 1 : 0);
+    return catches ? -1 - number : number;
   }
+
+  vtkIndirectUnclipped Unclipped;
 
   // Framebuffer of the geometry buffer.
   vtkOpenGLFramebufferObject* Framebuffer = nullptr;
@@ -359,6 +364,7 @@ void vtkSurfaceCapturePass::DrawMap(const vtkIndirectFrame& frame, const vtkIndi
 void vtkSurfaceCapturePass::DrawChannel(UnattachedChannel channel)
 {
   Internals& in = *this->Internal;
+  in.Unclipped.Set(false);
   in.Blending = nullptr;
   if (channel == Color)
   {
@@ -378,6 +384,7 @@ void vtkSurfaceCapturePass::EndStage()
   Internals& in = *this->Internal;
   if (in.Stage == Internals::Eye)
   {
+    in.Unclipped.Set(false);
     in.Blending = nullptr;
     in.UseChannels(vtkIndirectGeometryChannels::Lit, in.Channels);
     in.Framebuffer = nullptr;
@@ -486,10 +493,11 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   program->SetUniformi("vtkiAlbedoInAlpha",
     in.Stage == Internals::Eye && vtkIndirectGeometryChannels::IsAlbedoInLit(in.Channels) ? 1 : 0);
   const bool triangles = MapperPrimitive::IsTriangles(mapper, prop);
+  const bool catches = vtkIndirectPropKind::CatchesLight(prop);
   if (program->IsUniformUsed("vtkiNumber"))
   {
     program->SetUniformi(
-      "vtkiNumber", in.Stage == Internals::Eye ? in.FindNumber(prop, triangles) : 0);
+      "vtkiNumber", in.Stage == Internals::Eye ? in.FindNumber(prop, triangles, catches) : 0);
   }
   program->SetUniformf("vtkiSceneScale", in.SceneScale);
   program->SetUniform3f("vtkiDepthRange", in.DepthRange);
@@ -524,6 +532,7 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   // bits.
   if (in.Stage == Internals::Eye)
   {
+    in.Unclipped.Set(catches);
     in.Lights.SetUniforms(program,
       in.LightConstants.GetGroups()); // a map holds surfaces, independent of lights
     this->UseEyeChannels(prop);

@@ -58,6 +58,8 @@ const vtkIndirectShownChannel FrameChannels[] = {
   { "depth", "distance along the view axis", "world units", VTKI_CHANNEL_DEPTH, 1, 1.0f, 0.0f },
   { "specular", "specular reflectance, power of the lobe or of PBR minus its roughness", "1",
     VTKI_CHANNEL_SPECULAR, 4, 1.0f, 0.0f },
+  { "caught", "share of the background that props that catch light show", "1", VTKI_CHANNEL_CAUGHT,
+    3, 1.0f, 0.0f },
 };
 const vtkIndirectShownChannel MapChannels[] = {
   { "depth", "depth along a face's axis", "world units", VTKI_MAP_CHANNEL_DEPTH, 1, 1.0f, 0.0f },
@@ -77,6 +79,9 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
   // One program for linear colours only, one for encoded colours too.
   vtkIndirectFullScreenProgram Composite[2] = { { this, "vtkIndirectCompositeFS.glsl" },
     { this, "vtkIndirectCompositeFS.glsl" } };
+  // One program darkens the background, one brightens it.
+  vtkIndirectFullScreenProgram Catch[2] = { { this, "vtkIndirectCatchFS.glsl" },
+    { this, "vtkIndirectCatchFS.glsl" } };
   vtkIndirectFullScreenProgram DrawChannel{ this, "vtkIndirectChannelFS.glsl" };
   vtkIndirectFullScreenProgram DrawMapChannel{ this, "vtkIndirectMapChannelFS.glsl" };
   vtkIndirectFullScreenProgram Display{ this, "vtkIndirectDisplayFS.glsl" };
@@ -88,6 +93,7 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
   {
     static const char* const sums[] = { "sky", "area", "bounce", "radiance", "radiance" };
     std::string added[2]; // to irradiance, to radiance
+    std::string open;     // to the irradiance if nothing hid light
     for (size_t i = 0; i < input.Lights.size(); ++i)
     {
       const vtkIndirectContribution& light = input.Lights[i];
@@ -98,12 +104,15 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
         (light.Coarse ? "vtkiFetchCoarse(vtkiLights" + index + ", position)"
                       : "textureLod(vtkiLights" + index + ", place, 0.0f).rgb") +
         (light.Unit == 1.0 ? "" : " * vtkiUnits" + index) + (isRadiance ? " * scale; " : "; ");
+      open += light.Open ? "open += textureLod(vtkiOpenLights" + index +
+          ", place, 0.0f).rgb * vtkiUnits" + index + "; "
+                         : "";
     }
     const bool isSpecular = !added[1].empty() && input.Geometry.HasSpecular();
     return input.Lights.empty() ? std::string()
                                 : "#define VTKI_LIGHTS " + std::to_string(input.Lights.size()) +
         "\n#define VTKI_ADD_IRRADIANCE " + added[0] + "\n#define VTKI_ADD_RADIANCE " + added[1] +
-        (isSpecular ? "\n#define VTKI_SPECULAR\n" : "\n");
+        "\n#define VTKI_ADD_OPEN " + open + (isSpecular ? "\n#define VTKI_SPECULAR\n" : "\n");
   }
 
   static vtkIndirectProgram Use(
@@ -132,6 +141,14 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
       {
         light.Coarse->ActivateAll(program);
       }
+      if (light.Open && program->IsUniformUsed(("vtkiOpenLights" + index).c_str()))
+      {
+        light.Open->Activate(0, program, ("vtkiOpenLights" + index).c_str());
+      }
+    }
+    if (input.OpenLit && program->IsUniformUsed("vtkiOpenLit"))
+    {
+      input.OpenLit->Activate(0, program);
     }
     vtkIndirectSetEyeUniforms(program, input.Frame);
     program->SetUniformf(
@@ -240,14 +257,16 @@ bool vtkIndirectComposite::Composite(const Input& input)
   const bool encoded = input.Geometry.HasEncoded();
   vtkIndirectFullScreenProgram& kernel = in.Composite[encoded];
   // On an empty target, copying depth is cheaper than testing and writing it pixel by pixel.
+  // Props that catch light have depths that the target does not get.
+  const bool catches = !frame.Catchers.empty();
   const bool copied = input.DepthDrawn ||
-    (input.DepthCleared &&
+    (input.DepthCleared && !catches &&
       vtkIndirectBackEndChoices::Get(vtkIndirectBackEndChoices::Depth) ==
         vtkIndirectBackEndChoices::DepthByCopy &&
       input.Geometry.GetTarget().CopyDepth(frame.Origin));
   vtkIndirectProgram program = Internals::Use(kernel, input,
     std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
-      (copied ? "#define VTKI_DEPTH_COPIED\n" : ""));
+      (copied ? "#define VTKI_DEPTH_COPIED\n" : "") + (catches ? "#define VTKI_CATCHERS\n" : ""));
   if (!program)
   {
     return false;
@@ -273,6 +292,44 @@ bool vtkIndirectComposite::Composite(const Input& input)
   }
   program->SetUniform2i("vtkiOrigin", frame.Origin);
   kernel.Draw();
+  return !input.OpenLit || this->Catch(input);
+}
+
+//------------------------------------------------------------------------------
+// Blending multiplies the background, whatever has drawn it: one draw by what is lost of it, and
+// one by what is added to it. Images of bytes at most double it.
+bool vtkIndirectComposite::Catch(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkOpenGLState* state = frame.Window->GetState();
+  vtkOpenGLState::ScopedglDepthMask depthMask(state);
+  state->vtkglEnable(GL_BLEND);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_FALSE);
+  for (int brightens = 0; brightens < 2; ++brightens)
+  {
+    vtkIndirectFullScreenProgram& kernel = this->Internal->Catch[brightens];
+    vtkIndirectProgram program = Internals::Use(kernel, input,
+      std::string(input.Geometry.HasEncoded() ? "#define VTKI_ENCODED\n" : "") +
+        (brightens ? "#define VTKI_BRIGHTENS\n" : ""));
+    if (!program)
+    {
+      return false;
+    }
+    if (brightens)
+    {
+      state->vtkglBlendFuncSeparate(GL_DST_COLOR, GL_ONE, GL_ZERO, GL_ONE);
+    }
+    else
+    {
+      state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    }
+    Internals::ActivateFrame(program, input);
+    input.Geometry.GetTarget().ActivateDepth(program, "vtkiDepth");
+    program->SetUniform2i("vtkiOrigin", frame.Origin);
+    kernel.Draw();
+  }
   return true;
 }
 
@@ -302,7 +359,9 @@ bool vtkIndirectComposite::RenderChannel(const Input& input, const std::string& 
   {
     return false;
   }
-  vtkIndirectProgram program = ofMap ? kernel.Use(frame.Window) : Internals::Use(kernel, input, "");
+  vtkIndirectProgram program = ofMap
+    ? kernel.Use(frame.Window)
+    : Internals::Use(kernel, input, input.OpenLit ? "#define VTKI_CATCHES\n" : "");
   if (!program)
   {
     return false;

@@ -43,6 +43,8 @@ public:
     double IndirectScale;
     bool DepthCleared; // the bound framebuffer is empty
     bool DepthDrawn;   // the bound framebuffer has the depth of the frame's opaque props
+    // VTK's light on props that catch light if nothing hid any; null: such props show nothing.
+    const vtkIndirectTarget* OpenLit;
   };
 
   /** Returns the index of a channel of the frame, or -1. */
@@ -74,6 +76,9 @@ public:
   bool ShowImage(const Input& input);
 
 private:
+  /** Multiplies the background by what props that catch light show of it. */
+  bool Catch(const Input& input);
+
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };

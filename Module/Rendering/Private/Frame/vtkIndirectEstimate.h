@@ -77,6 +77,11 @@ struct vtkIndirectContribution
    * first corner is the sample: VTKI_CELL_EMPTY, _WHOLE or _MIXED.
    */
   const vtkIndirectReceiverGrid* Coarse = nullptr;
+  /**
+   * The same light, in its first channel and the same unit, if nothing hid any: on surfaces that
+   * catch light. Light from the sky and from area lights has it where the plan catches light.
+   */
+  const vtkIndirectTarget* Open = nullptr;
 };
 
 struct vtkIndirectEstimate

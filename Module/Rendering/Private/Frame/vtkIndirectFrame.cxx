@@ -213,6 +213,10 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
 {
   const vtkIndirectPropKind kind = vtkIndirectPropKind::Find(prop);
   this->CoversFully = this->CoversFully && kind.CoversFully;
+  if (vtkIndirectPropKind::CatchesLight(prop) && this->AddCatcher(prop, kind))
+  {
+    return;
+  }
   this->NumberOfTriangles += kind.NumberOfTriangles;
   this->Specular = this->Specular || (kind.Captured && kind.Specular);
   this->PhysicallyBased = this->PhysicallyBased || (kind.Captured && kind.PhysicallyBased);
@@ -274,6 +278,31 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     ++this->NumberOfOtherReceivers;
     box.AddBounds(bounds);
   }
+}
+
+//------------------------------------------------------------------------------
+// Adds a prop that catches light. Returns true if the prop is nothing else.
+bool vtkIndirectFrame::AddCatcher(vtkProp* prop, const vtkIndirectPropKind& kind)
+{
+  if (!kind.Captured || !kind.Surface || !kind.Lit)
+  {
+    this->LeaveOut(prop, "its property key CATCHES_LIGHT has no effect: it has no lit faces");
+    return false;
+  }
+  this->Catchers.push_back(prop);
+  if (vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows(), false))
+  {
+    return false;
+  }
+  this->Captured.push_back(prop);
+  this->NumberOfTriangles += kind.NumberOfTriangles;
+  if (kind.HasBackface)
+  {
+    this->WithBackface.push_back(prop);
+  }
+  this->AllSendLight = false; // the picture shows it, and no light's map does
+  ++this->NumberOfOtherReceivers;
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,7 @@ class vtkOpenGLRenderWindow;
 class vtkProp;
 class vtkRenderer;
 class vtkRenderState;
+struct vtkIndirectPropKind;
 struct vtkIndirectReport;
 
 /**
@@ -118,6 +119,7 @@ struct vtkIndirectFrame
   std::vector<vtkProp*> Props;        // all visible props
   std::vector<vtkProp*> Captured;     // opaque props whose surfaces the capture gets
   std::vector<vtkProp*> ColorOnly;    // other opaque props: they have a colour, but no surface
+  std::vector<vtkProp*> Catchers;     // captured props that show the background, shadowed
   std::vector<vtkProp*> WithBackface; // opaque props with a backface property
   bool Specular = false;          // true if a lit opaque prop reflects specularly, by Phong's model
   bool PhysicallyBased = false;   // true if VTK's PBR lights an opaque prop, which thus reflects by
@@ -224,6 +226,7 @@ private:
   void LeaveOut(vtkProp* prop, const std::string& why);
   void CollectProps(vtkIndirectCasterBounds* casterBounds, bool interactive);
   void AddOpaque(vtkProp* prop, vtkBoundingBox& box);
+  bool AddCatcher(vtkProp* prop, const vtkIndirectPropKind& kind);
   void CollectLights();
   void SetUpEye();
 };

@@ -20,6 +20,7 @@
 
 vtkIndirectInformationKeyMacro(CastsShadows, "CASTS_SHADOWS", Integer);
 vtkIndirectInformationKeyMacro(SendsLight, "SENDS_LIGHT", Integer);
+vtkIndirectInformationKeyMacro(CatchesLight, "CATCHES_LIGHT", Integer);
 vtkIndirectInformationKeyMacro(Name, "NAME", String);
 vtkIndirectInformationKeyMacro(LightRadius, "LIGHT_RADIUS", Double);
 vtkIndirectInformationKeyMacro(LightAngle, "LIGHT_ANGLE", Double);

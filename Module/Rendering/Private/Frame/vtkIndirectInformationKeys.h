@@ -15,6 +15,7 @@ namespace vtkIndirectInformationKeys
 {
 vtkInformationIntegerKey* CastsShadows();
 vtkInformationIntegerKey* SendsLight();
+vtkInformationIntegerKey* CatchesLight();
 vtkInformationStringKey* Name();
 vtkInformationDoubleKey* LightRadius(); // world units
 vtkInformationDoubleKey* LightAngle();  // degrees

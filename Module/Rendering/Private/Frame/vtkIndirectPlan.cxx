@@ -84,6 +84,7 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.FindVisibility(settings, estimator);
   plan.FindSky(frame, settings, estimator, circumstances);
   plan.FindOtherLights(frame, settings, estimator, circumstances);
+  plan.FindCatchers(frame, estimator);
   plan.FindBounces(frame, settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
@@ -231,13 +232,15 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
       estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark");
   }
   // With fewer than 64 directions edges of their shadows show, which a tolerance may allow.
-  const int fewest = this->ErrorToleranceIsSet ? 16 : 64;
+  // On a plane that catches light the shadows of single directions show: twice the usual number.
+  const int fewest = this->ErrorToleranceIsSet ? 16 : !frame.Catchers.empty() ? 512 : 64;
   this->NumberOfStillSkyDirections = std::max(FindSkyDirections(this->SkyErrorTolerance), fewest);
   this->NumberOfSkyDirections = this->NumberOfStillSkyDirections;
   if (this->Interactive)
   {
     // A moving frame sums a quarter of the directions, and a pixel sixteen or thirty-two of them.
-    this->NumberOfSkyDirections = std::max(this->NumberOfStillSkyDirections / 4, fewest);
+    this->NumberOfSkyDirections =
+      std::max(this->NumberOfStillSkyDirections / 4, std::min(fewest, 64));
     this->SkyBlock = this->NumberOfSkyDirections >= 256 ? 4
       : this->NumberOfSkyDirections >= 64               ? 2
                                                         : 1;
@@ -341,6 +344,32 @@ void vtkIndirectPlan::FindOtherLights(const vtkIndirectFrame& frame,
   {
     this->LeftOut.emplace_back("bounces of light from area lights", why);
   }
+}
+
+//------------------------------------------------------------------------------
+// Props that catch light compare it with the same light if nothing was hidden, which has to be
+// known by itself.
+void vtkIndirectPlan::FindCatchers(
+  const vtkIndirectFrame& frame, const vtkIndirectAbilities& estimator)
+{
+  if (frame.Catchers.empty())
+  {
+    return;
+  }
+  const bool skyFails = this->Sky && this->SkySource == SKY_BY_ESTIMATOR;
+  this->Catches = !skyFails && !this->VirtualAreaLights;
+  const std::string what = "props that catch light, " + std::to_string(frame.Catchers.size());
+  if (this->Catches)
+  {
+    this->Modelled.emplace_back(what,
+      "they show the background times the light on them over the light if they were alone, hide "
+      "nothing and send nothing: what stands on them is too bright where a ground would hide the "
+      "sky, too dark where it would reflect");
+    return;
+  }
+  this->LeftOut.emplace_back(what,
+    skyFails ? estimator.Name + " does not tell the light of a sky that nothing hides"
+             : "virtual lights of area lights do not tell the light that nothing hides");
 }
 
 //------------------------------------------------------------------------------
@@ -455,6 +484,7 @@ vtkIndirectKey vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
   key.Add("area lights", this->VirtualAreaLights).Add("area lights", this->MinMaxAreaLights);
   key.Add("error tolerance", this->ErrorTolerance);
   key.Add("error tolerance", this->EstimatorErrorTolerance);
+  key.Add("props that catch light", static_cast<int>(frame.Catchers.size()));
   key.Add("sky", this->SkySource).Add("sky", this->SkyIsShadowed).Add("sky", this->Sky);
   frame.AppendTo(key);
   return key;

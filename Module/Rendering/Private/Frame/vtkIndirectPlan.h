@@ -163,6 +163,7 @@ struct vtkIndirectPlan
   bool OtherSamplers = false;     // passes add virtual lights of their own samplers
   bool AreaLights = false;        // light comes directly from rectangles, in closed form
   bool VirtualAreaLights = false; // pieces of rectangles are virtual lights
+  bool Catches = false;           // props that catch light are seen, by what they change
   bool AutomaticAreaLightsAreVirtual = false; // so are rectangles whose Method is AUTOMATIC
   bool MinMaxAreaLights = false;              // these pieces are the paper's
   bool AreaIsShadowed = true;                 // light from rectangles may be hidden
@@ -278,6 +279,7 @@ private:
     const vtkIndirectCircumstances& circumstances);
   void FindOtherLights(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
+  void FindCatchers(const vtkIndirectFrame& frame, const vtkIndirectAbilities& estimator);
   void FindUnit(const vtkIndirectFrame& frame, const vtkIndirectCircumstances& circumstances);
   void LeaveOut(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
     const vtkIndirectCircumstances& circumstances);

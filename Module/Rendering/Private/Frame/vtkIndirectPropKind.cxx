@@ -364,6 +364,12 @@ bool vtkIndirectPropKind::IsFlat(vtkProp* prop)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectPropKind::CatchesLight(vtkProp* prop)
+{
+  return vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CatchesLight(), false);
+}
+
+//------------------------------------------------------------------------------
 vtkActor* vtkIndirectPropKind::FindRefractor(vtkProp* prop)
 {
   auto* actor = vtkActor::SafeDownCast(prop);

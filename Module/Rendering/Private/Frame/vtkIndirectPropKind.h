@@ -52,6 +52,9 @@ struct vtkIndirectPropKind
    */
   static bool IsFlat(vtkProp* prop);
 
+  /** Returns true if the property key CATCHES_LIGHT asks the prop to show what lies behind it. */
+  static bool CatchesLight(vtkProp* prop);
+
   /**
    * Returns what distinguishes a prop from others of its class: its name in quotes, if it has one,
    * and the classes of its mapper and of its data's source. Empty if it has none of these.

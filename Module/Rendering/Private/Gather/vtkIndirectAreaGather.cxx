@@ -28,6 +28,7 @@ vtkIndirectAreaGather::vtkIndirectAreaGather(vtkIndirectResource* owner, vtkIndi
   , Maps(this, maps, vtkIndirectDepthMaps::AREA_LIGHTS)
   , Rounds(this, maps)
   , Irradiance(this, AreaChannels, false)
+  , Open(this, AreaChannels, false)
 {
 }
 
@@ -110,6 +111,7 @@ vtkIndirectEstimate vtkIndirectAreaGather::MakeEstimate(const Input& input)
     result.State =
       this->IsFinished() ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::REFINING;
     result.Contributions = { { vtkIndirectContribution::AREA, &this->Irradiance } };
+    result.Contributions.front().Open = input.Plan.Catches ? this->FindOpen() : nullptr;
     if (this->Specular)
     {
       result.Contributions.push_back(
@@ -162,18 +164,46 @@ bool vtkIndirectAreaGather::SumIrradiance(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   if (this->Moving && !this->Lamps.Get().empty())
   {
-    vtkIndirectFullScreenState kernelState(frame.Window);
-    return this->Samples.Sum(
-      { frame, input.Geometry, this->Lamps, this->Visible ? &this->Maps : nullptr,
-        this->GetTolerance(input), vtkIndirectAreaSamples::DistancesOfMoving },
-      this->Irradiance);
+    return this->SumMoving(input);
   }
+  this->Open.Release(frame.Window);
   if (!this->Visible)
   {
     vtkIndirectFullScreenState kernelState(frame.Window);
     return this->SumOpen(input, this->Irradiance);
   }
   return this->SumRounds(input);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAreaGather::SumMoving(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  vtkIndirectAreaSamples::Input samples = { frame, input.Geometry, this->Lamps,
+    this->Visible ? &this->Maps : nullptr, this->GetTolerance(input),
+    vtkIndirectAreaSamples::DistancesOfMoving };
+  if (!this->Samples.Sum(samples, this->Irradiance))
+  {
+    return false;
+  }
+  if (!input.Plan.Catches)
+  {
+    this->Open.Release(frame.Window);
+    return true;
+  }
+  samples.Maps = nullptr;
+  return this->Open.Resize(frame.Window, frame.Size[0], frame.Size[1]) &&
+    this->OpenSamples.Sum(samples, this->Open);
+}
+
+//------------------------------------------------------------------------------
+// Returns the image of the light if nothing hid it.
+const vtkIndirectTarget* vtkIndirectAreaGather::FindOpen() const
+{
+  return !this->Visible           ? &this->Irradiance
+    : this->Open.GetFramebuffer() ? &this->Open
+                                  : &this->Rounds.GetOpen();
 }
 
 //------------------------------------------------------------------------------

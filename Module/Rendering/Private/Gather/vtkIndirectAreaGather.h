@@ -37,6 +37,8 @@ private:
   bool SumLobes(const Input& input);
   bool SumRounds(const Input& input);
   bool SumOpen(const Input& input, vtkIndirectTarget& target);
+  bool SumMoving(const Input& input);
+  const vtkIndirectTarget* FindOpen() const;
 
   vtkIndirectAreaLamps Lamps{ this };
   vtkIndirectAreaMaps Maps; // maps of the first round
@@ -51,4 +53,6 @@ private:
   vtkIndirectAreaLobes Lobes{ this };
   bool Specular = false; // some receivers are specular
   vtkIndirectTarget Irradiance;
+  vtkIndirectAreaSamples OpenSamples{ this }; // for surfaces that catch light, in moving frames
+  vtkIndirectTarget Open;                     // the light if nothing hid it, in these frames
 };

@@ -32,6 +32,7 @@ public:
   bool Resize(const vtkIndirectFrame& frame);
   /** Returns the target for the lights' unoccluded irradiance. */
   vtkIndirectTarget& GetOpen() { return this->Open; }
+  const vtkIndirectTarget& GetOpen() const { return this->Open; }
 
   /** Sums the first round. Returns false, after an error. */
   bool Begin(const Input& input);

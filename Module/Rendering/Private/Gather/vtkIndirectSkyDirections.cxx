@@ -20,6 +20,39 @@ constexpr int LeastLattice = vtkIndirectSkyProjection::FineDirections;
 // receiver's horizon cuts counts by the visibility of its middle: an open plane gets less from a
 // uniform sky by a third of the square of the piece's half width, 0.0003.
 constexpr int Pieces = 64;
+
+// Sums the even halves of clamped cosines, for the normal of each texel: see
+// vtkIndirectLibSky.glsl.
+std::vector<float> GatherEvenHalves(const std::vector<glm::vec3>& flux)
+{
+  using namespace vtkIndirectKernels;
+  // The loops go coordinate by coordinate, with the texels inside, so that compilers can vectorize
+  // them.
+  constexpr size_t texels = static_cast<size_t>(VTKI_OPEN_SKY_TEXELS) * VTKI_OPEN_SKY_TEXELS;
+  std::vector<float> normals[3];
+  for (size_t i = 0; i < texels; ++i)
+  {
+    const glm::vec3 normal =
+      vtkiOpenSkyNormal(vec2(i % VTKI_OPEN_SKY_TEXELS, i / VTKI_OPEN_SKY_TEXELS));
+    for (int c = 0; c < 3; ++c)
+    {
+      normals[c].push_back(normal[c]);
+    }
+  }
+  std::vector<float> sums(texels, 0.0f);
+  const float* const x = normals[0].data();
+  const float* const y = normals[1].data();
+  const float* const z = normals[2].data();
+  float* const sum = sums.data();
+  for (const glm::vec3& entry : flux)
+  {
+    for (size_t i = 0; i < texels; ++i)
+    {
+      sum[i] += std::abs(entry.x * x[i] + entry.y * y[i] + entry.z * z[i]);
+    }
+  }
+  return sums;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -154,7 +187,6 @@ std::vector<vtkIndirectSkyDirections::Summand> vtkIndirectSkyDirections::Share(
 vtkIndirectSkyDirections::OpenSky vtkIndirectSkyDirections::MakeOpenSky(
   const std::vector<Summand>& summed)
 {
-  using namespace vtkIndirectKernels;
   OpenSky sky;
   std::vector<glm::vec3> flux;
   for (const glm::dvec3& piece : this->Flux)
@@ -172,43 +204,38 @@ vtkIndirectSkyDirections::OpenSky vtkIndirectSkyDirections::MakeOpenSky(
       vtkMath::Pi() / this->Unit * this->Lattice[summand.Number]);
     sky.SummedFlux += summedFlux.back();
   }
-  // The loops go coordinate by coordinate, with the texels inside, so that compilers can vectorize
-  // them.
-  constexpr size_t texels = static_cast<size_t>(VTKI_OPEN_SKY_TEXELS) * VTKI_OPEN_SKY_TEXELS;
-  std::vector<float> normals[3];
-  for (size_t i = 0; i < texels; ++i)
-  {
-    const glm::vec3 normal =
-      vtkiOpenSkyNormal(vec2(i % VTKI_OPEN_SKY_TEXELS, i / VTKI_OPEN_SKY_TEXELS));
-    for (int c = 0; c < 3; ++c)
-    {
-      normals[c].push_back(normal[c]);
-    }
-  }
-  auto gather = [&](const std::vector<glm::vec3>& list)
-  {
-    std::vector<float> sums(texels, 0.0f);
-    const float* const x = normals[0].data();
-    const float* const y = normals[1].data();
-    const float* const z = normals[2].data();
-    float* const sum = sums.data();
-    for (const glm::vec3& entry : list)
-    {
-      for (size_t i = 0; i < texels; ++i)
-      {
-        sum[i] += std::abs(entry.x * x[i] + entry.y * y[i] + entry.z * z[i]);
-      }
-    }
-    return sums;
-  };
   if (this->OpenTexels.empty())
   {
-    this->OpenTexels = gather(flux);
+    this->OpenTexels = GatherEvenHalves(flux);
   }
-  const std::vector<float> summedTexels = gather(summedFlux);
-  for (size_t i = 0; i < texels; ++i)
+  const std::vector<float> summedTexels = GatherEvenHalves(summedFlux);
+  for (size_t i = 0; i < summedTexels.size(); ++i)
   {
     sky.Texels.insert(sky.Texels.end(), { this->OpenTexels[i], summedTexels[i], 0.0f, 1.0f });
+  }
+  return sky;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSkyDirections::OpenColors vtkIndirectSkyDirections::MakeOpenColors(
+  const std::vector<Summand>& summed) const
+{
+  OpenColors sky;
+  std::vector<float> texels[3];
+  for (int color = 0; color < 3; ++color)
+  {
+    std::vector<glm::vec3> flux;
+    for (const Summand& summand : summed)
+    {
+      flux.emplace_back(
+        0.5 * summand.Light[color] / vtkMath::Pi() / this->Unit * this->Lattice[summand.Number]);
+      sky.Flux[color] += flux.back();
+    }
+    texels[color] = GatherEvenHalves(flux);
+  }
+  for (size_t i = 0; i < texels[0].size(); ++i)
+  {
+    sky.Texels.insert(sky.Texels.end(), { texels[0][i], texels[1][i], texels[2][i], 1.0f });
   }
   return sky;
 }

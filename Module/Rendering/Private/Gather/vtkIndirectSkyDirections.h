@@ -63,6 +63,14 @@ public:
     glm::vec3 SummedFlux{ 0.0f };
   };
   OpenSky MakeOpenSky(const std::vector<Summand>& summed);
+  /** The same for the colours of these directions by themselves: three values of each texel count.
+   */
+  struct OpenColors
+  {
+    std::vector<float> Texels;
+    glm::mat3 Flux{ 0.0f }; // a column for each colour
+  };
+  OpenColors MakeOpenColors(const std::vector<Summand>& summed) const;
   /** Returns a positive irradiance of the order of the others' irradiance. */
   double GetUnit() const { return this->Unit; }
 

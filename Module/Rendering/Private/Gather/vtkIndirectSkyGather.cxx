@@ -32,6 +32,10 @@ const vtkIndirectChannels StillChannels = {
   { "sky.sums2", "vtkiSkySums2", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums3", "vtkiSkySums3", SumMeaning, GL_RGBA32F, "-", "their unit" },
 };
+const vtkIndirectChannels OpenColorChannels = {
+  { "sky.openColors", "vtkiOpenColors", "colours of the directions by normals if nothing hid them",
+    GL_RGBA32F, "world", "their unit" },
+};
 const vtkIndirectChannels OpenSkyChannels = {
   { "sky.open", "vtkiOpenSky", "irradiance by normals if nothing hid the sky; of the directions",
     GL_RG32F, "world", "their unit" },
@@ -58,6 +62,8 @@ vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndire
   , Sums{ { this, StillChannels, false }, { this, SkySumChannels, false } }
   , Rows(this, SkySumChannels, false)
   , OpenSky(this, OpenSkyChannels, false)
+  , Open(this, SkyChannels, false)
+  , OpenColors(this, OpenColorChannels, false)
   , Groups{ { {}, {}, StrongTexels, vtkIndirectDepthMaps::STRONG_SKY,
               maps.Get(vtkIndirectDepthMaps::STRONG_SKY) },
     { {}, {}, 0, vtkIndirectDepthMaps::SKY, maps.Get(vtkIndirectDepthMaps::SKY) } }
@@ -260,6 +266,7 @@ bool vtkIndirectSkyGather::UpdateOpenSky(const Input& input)
     this->OpenFlux = open.Flux;
     this->SummedFlux = open.SummedFlux;
     this->OpenSkyIsThere = true;
+    this->OpenColorsAreThere = false;
   }
   return true;
 }
@@ -273,8 +280,9 @@ vtkIndirectEstimate vtkIndirectSkyGather::MakeEstimate(const Input& input)
   input.Timer.Begin(vtkIndirectStageTimer::Sky);
   const bool summed = still || this->SumAll(input);
   input.Timer.End(vtkIndirectStageTimer::Sky);
-  return { summed ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::FAILED,
-    { { vtkIndirectContribution::SKY, &this->Irradiance } } };
+  vtkIndirectContribution sky = { vtkIndirectContribution::SKY, &this->Irradiance };
+  sky.Open = input.Plan.Catches ? &this->Open : nullptr;
+  return { summed ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::FAILED, { sky } };
 }
 
 //------------------------------------------------------------------------------
@@ -307,7 +315,13 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
     done = done && this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
       this->FilterColumns(input);
   }
-  return done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
+  done = done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
+  if (!input.Plan.Catches)
+  {
+    this->Open.Release(frame.Window);
+    return done;
+  }
+  return done && this->SumOpen(input);
 }
 
 //------------------------------------------------------------------------------
@@ -450,6 +464,43 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+// Finds the same light if nothing hid the sky, at surfaces that catch light.
+bool vtkIndirectSkyGather::SumOpen(const Input& input)
+{
+  constexpr int texels = vtkIndirectKernels::VTKI_OPEN_SKY_TEXELS;
+  const bool there = this->OpenColorsAreThere && this->OpenColors.GetFramebuffer();
+  if (!this->Open.Resize(input.Frame.Window, input.Frame.Size[0], input.Frame.Size[1]) ||
+    !this->OpenColors.Resize(input.Frame.Window, texels, texels))
+  {
+    return false;
+  }
+  if (!there)
+  {
+    vtkTextureObject* texture = this->OpenColors.GetTexture(0);
+    texture->SetMinificationFilter(vtkTextureObject::Linear);
+    texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    const vtkIndirectSkyDirections::OpenColors open = this->Directions.MakeOpenColors(this->Summed);
+    this->OpenColors.Write(0, open.Texels);
+    this->ColorFlux = open.Flux;
+    this->OpenColorsAreThere = true;
+  }
+  const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
+  this->OpenKernel.SetDefinitions(
+    "#define VTKI_FILTERED\n#define VTKI_SKY_BLOCK " + std::to_string(OwnBlock) + "\n");
+  return this->OpenKernel.Run(input.Frame.Window, this->Open,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Activate(input, nullptr, program);
+      this->OpenSky.Activate(0, program);
+      this->OpenColors.Activate(0, program);
+      vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
+      vtkIndirectSetUniform(program, "vtkiColorFlux", this->ColorFlux);
+      program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
+      this->SetBlock(input, program, this->Groups[Strong], terms, 0, OwnBlock);
+    });
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
 {
   const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
@@ -474,7 +525,7 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::ReleaseOwn(vtkWindow* window)
 {
-  this->OpenSkyIsThere = false;
+  this->OpenSkyIsThere = this->OpenColorsAreThere = false;
   for (const Group& group : this->Groups)
   {
     this->DepthMaps.Release(group.Client, window);

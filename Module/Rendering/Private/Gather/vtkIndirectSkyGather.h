@@ -92,12 +92,15 @@ private:
   bool FilterRows(const Input& input);
   bool FilterColumns(const Input& input);
   bool SumStrong(const Input& input);
+  bool SumOpen(const Input& input);
 
   vtkIndirectDepthMaps& DepthMaps;
   vtkIndirectTarget Irradiance;
   vtkIndirectTarget Sums[2]; // sums of pixels' own directions; of still and moving frames
   vtkIndirectTarget Rows;    // sums over neighbours in the row
   vtkIndirectTarget OpenSky;
+  vtkIndirectTarget Open;       // Irradiance if nothing hid the sky, for surfaces that catch light
+  vtkIndirectTarget OpenColors; // colours of the directions in OpenSky
   enum GroupType
   {
     Strong,
@@ -117,8 +120,12 @@ private:
   vtkIndirectFullScreenProgram RowKernel{ this, "vtkIndirectSkyFilterFS.glsl" };
   vtkIndirectFullScreenProgram StrongKernel{ this, "vtkIndirectSkyFS.glsl" };
 
+  vtkIndirectFullScreenProgram OpenKernel{ this, "vtkIndirectSkyOpenFS.glsl" };
+
   vtkIndirectKey FitKey; // the inputs of the tiles' fit
   bool OpenSkyIsThere = false;
+  bool OpenColorsAreThere = false;
+  glm::mat3 ColorFlux{ 0.0f };
   glm::vec3 OpenFlux{ 0.0f };
   glm::vec3 SummedFlux{ 0.0f };
   bool Visible = false;

@@ -4,6 +4,7 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectMaterial.h"
+#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
@@ -161,7 +162,8 @@ vtkIndirectPresetAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
   {
     vtkMapper* mapper = actor->GetMapper();
     vtkProperty* property = actor->GetProperty();
-    if (!actor->GetVisibility() || !mapper || !property->GetLighting())
+    if (!actor->GetVisibility() || !mapper || !property->GetLighting() ||
+      vtkIndirectPropKind::CatchesLight(actor))
     {
       continue;
     }

@@ -84,7 +84,9 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   {
     this->SphereMotion.Update(this->Frame, skyLight.HasStrong(), interactive);
     circumstances.SpheresMove = this->SphereMotion.GetWhat();
-    circumstances.SpheresFail = this->SphereMotion.GetWhyNot();
+    circumstances.SpheresFail = this->Frame.Catchers.empty()
+      ? this->SphereMotion.GetWhyNot()
+      : "spheres do not tell the light of a sky that nothing hides to props that catch light";
   }
   else
   {
@@ -202,7 +204,8 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->Penumbra.Deactivate();
   }
   drawn = drawn && !this->IsRedirected() &&
-    this->VisibleLamps.Draw(this->Frame, this->UsableAreaLights, this->Geometry);
+    this->VisibleLamps.Draw(this->Frame, this->UsableAreaLights, this->Geometry) &&
+    this->Catchers.Update(this->Frame, this->Capture);
   this->TargetIsClear = request.DepthCleared;
   this->DepthIsDrawn = drawn && !this->IsRedirected() && request.DepthCleared &&
     request.DepthOfSamples && this->Plan.VisibleAreaLights == 0 &&
@@ -449,7 +452,7 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
   }
   return { this->Frame, this->Geometry, maps ? &this->Maps : nullptr, lights,
     this->FindGreatestIrradiance(lights), this->Plan.IndirectScale, this->TargetIsClear,
-    this->DepthIsDrawn };
+    this->DepthIsDrawn, this->Plan.Catches ? &this->Catchers.GetOpen() : nullptr };
 }
 
 //------------------------------------------------------------------------------

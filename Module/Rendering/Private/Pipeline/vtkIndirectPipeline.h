@@ -4,6 +4,7 @@
 // hands it on as a const reference that is valid for this frame.
 #pragma once
 
+#include "Capture/vtkIndirectCatchers.h"            // for a member
 #include "Capture/vtkIndirectCoarseLevels.h"        // for a member
 #include "Capture/vtkIndirectCreases.h"             // for members
 #include "Capture/vtkIndirectGeometryBuffer.h"      // for members
@@ -151,6 +152,7 @@ private:
   vtkIndirectViewSamples ViewSamples{ DepthMaps };
   vtkIndirectPenumbra Penumbra{ this, DepthMaps }; // penumbrae of the maps' lights
   vtkIndirectGeometryBuffer Geometry{ this };
+  vtkIndirectCatchers Catchers{ this };
   vtkIndirectCreases Creases{ this };
   vtkIndirectBounceLight Bounce{ this, Samplers, DepthMaps };
   vtkIndirectSkyProjection SkyProjection;

@@ -7,7 +7,7 @@
 
 uniform int vtkiStage;          // 0: from the eye, 1: from a light
 uniform int vtkiAlbedoInAlpha;  // 1: albedo takes the place of alpha, which is one on surfaces
-uniform int vtkiNumber;         // number of the prop's faces, or of its lines and points
+uniform int vtkiNumber;         // of the prop's faces, or of its lines and points; negative: catches light
 uniform float vtkiSceneScale;   // scene units per world unit
 uniform vec3 vtkiDepthRange;    // near, far [scene units], 1 for parallel projection
 uniform vec4 vtkiPixelRays;     // of gl_FragCoord: times xy plus zw; see vtkiDepthOnRay

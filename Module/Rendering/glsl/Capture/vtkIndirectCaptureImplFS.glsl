@@ -21,6 +21,10 @@
     gl_FragData[1] = vtkiKind == VTKI_SURFACE_UNLIT
       ? vtkiPackUnlit(vtkiDepth, vtkiNumber)
       : vtkiPackSurface(vtkiNormal, vtkiFacet, vtkiDepth, vtkiKind);
+    if (vtkiNumber < 0 && vtkiKind != VTKI_SURFACE_UNLIT)
+    {
+      gl_FragData[1] = vtkiMarkCatcher(gl_FragData[1]);
+    }
     if (vtkiStage != 0)
     {
       gl_FragData[0] = vec4(VTKI_SLOPE, 0.0f, 1.0f);

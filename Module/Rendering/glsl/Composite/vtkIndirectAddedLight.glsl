@@ -7,6 +7,7 @@
 #define VTKI_LIGHTS 1
 #define VTKI_ADD_IRRADIANCE
 #define VTKI_ADD_RADIANCE
+#define VTKI_ADD_OPEN
 #endif
 uniform sampler2D vtkiLights[VTKI_LIGHTS];
 uniform float vtkiUnits[VTKI_LIGHTS];

@@ -5,6 +5,9 @@
 #include "vtkIndirectAlbedo.glsl"
 #include "vtkIndirectLibChannel.glsl"
 #include "vtkIndirectLibColor.glsl"
+#ifdef VTKI_CATCHES
+#include "vtkIndirectCaught.glsl"
+#endif
 
 uniform ivec2 vtkiOrigin;
 uniform float vtkiIndirectScale;
@@ -37,7 +40,12 @@ void main()
   vec3 indirect =
     vtkiIndirectScale > 0.0f ? (albedo * irradiance + glossy) * vtkiIndirectScale : vec3(0.0f);
   vec3 value = vec3(0.0f);
-  if (vtkiChannel == VTKI_CHANNEL_FINAL)
+  bool catches = vtkiSurfaceCatches(surface);
+  if (catches && vtkiChannel <= VTKI_CHANNEL_INDIRECT)
+  {
+    value = vec3(0.0f); // it shows the background
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_FINAL)
   {
     value = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(direct) + indirect)
                                          : direct + indirect;
@@ -85,6 +93,14 @@ void main()
   else if (vtkiChannel == VTKI_CHANNEL_SPECULAR)
   {
     value = specular.rgb;
+  }
+  else if (vtkiChannel == VTKI_CHANNEL_CAUGHT && catches)
+  {
+#ifdef VTKI_CATCHES
+    value = vtkiFindCaught(vec2(pixel) + 0.5f, surface, direct, albedo, vtkiIndirectScale);
+#else
+    value = vec3(1.0f);
+#endif
   }
   gl_FragData[0] = vec4(value, vtkiChannel == VTKI_CHANNEL_SPECULAR ? specular.a : 1.0f);
 }

@@ -4,7 +4,7 @@
 // (vtkIndirectAddedLight.glsl). The background stays as it was drawn. Writes depth unless
 // VTKI_DEPTH_COPIED says that the target has it. VTKI_ALBEDO_IN_ALPHA: the lit image has the albedo
 // in place of alpha; VTKI_ENCODED: the scene has physically based materials, whose colours are
-// encoded.
+// encoded; VTKI_CATCHERS: some surfaces catch light.
 #include "vtkIndirectAddedLight.glsl"
 #include "vtkIndirectAlbedo.glsl"
 #include "vtkIndirectLibColor.glsl"
@@ -32,6 +32,10 @@ void main()
 #ifndef VTKI_DEPTH_COPIED
   float depth = textureLod(vtkiDepth, pixel, 0.0f).r;
   drawn = drawn || depth < 1.0f;
+#endif
+#ifdef VTKI_CATCHERS
+  // Surfaces that catch light show the background: vtkIndirectCatchFS.glsl.
+  drawn = drawn && !vtkiSurfaceCatches(textureLod(vtkiSurface, pixel, 0.0f));
 #endif
   if (!drawn)
   {

@@ -16,6 +16,7 @@ const int VTKI_CHANNEL_SPECULAR = 8;
 const int VTKI_CHANNEL_SKY = 9;
 const int VTKI_CHANNEL_BOUNCE = 10;
 const int VTKI_CHANNEL_AREA = 11;
+const int VTKI_CHANNEL_CAUGHT = 12;
 
 const int VTKI_MAP_CHANNEL_DEPTH = 0;
 const int VTKI_MAP_CHANNEL_NORMAL = 1;

@@ -72,6 +72,20 @@ vec4 vtkiPackSurface(vec3 normal, vec3 facet, float depth, float kind)
   return vec4(depth, vtkiPackNormal(normal, kind), vtkiPackNormal(facet, VTKI_SURFACE_LINEAR), 1.0f);
 }
 
+/* Marks a packed surface as one that catches light: it shows the background, as bright as the
+ * surface is compared with one that is alone. The facet's bits of kind hold the mark. */
+vec4 vtkiMarkCatcher(vec4 surface)
+{
+  uint facet = floatBitsToUint(surface.z) & 0x3fffffffu;
+  return vec4(surface.x, surface.y, uintBitsToFloat((uint(VTKI_SURFACE_ENCODED) << 30u) | facet), surface.w);
+}
+
+/* Returns true for a lit surface with that mark. */
+bool vtkiSurfaceCatches(vec4 surface)
+{
+  return (floatBitsToUint(surface.z) >> 30u) == uint(VTKI_SURFACE_ENCODED);
+}
+
 /* Packs an unlit surface. number: of its prop; stored in the bits of y in place of a normal,
  * beginning with that of one towards the eye. Numbers repeat after 32768 props. */
 vec4 vtkiPackUnlit(float depth, int number)
