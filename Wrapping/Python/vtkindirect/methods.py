@@ -29,6 +29,7 @@ from vtkindirect import (
     widgets,
     wrapped,
 )
+from vtkindirect import ground as grounds
 from vtkindirect import lighting as lightings
 from vtkindirect import settings as properties
 from vtkindirect.errors import UsageError, check_text, unknown
@@ -143,6 +144,7 @@ class _Record:
     # cleared it, unless something else holds it.
     observers: list[tuple[int, Any]] = field(default_factory=list)
     names: tuple[str, ...] = ()  # of PyVista's actors
+    ground: grounds.Ground | None = None
 
 
 # By the address of the C++ renderer: a Python object for it may come and go.
@@ -204,21 +206,32 @@ def _keep(renderer: vtkRenderer, record: _Record) -> None:
         # The first when a pass is set; the second when the begin of the chain stays the same.
         ("ModifiedEvent", lambda caller, _event: _settled(caller)),
         ("StartEvent", lambda caller, _event: _start(caller)),
-        ("EndEvent", lambda caller, _event: record.warner.look(caller, record.indirect)),
+        ("EndEvent", lambda caller, _event: _end(caller)),
     ):
         record.observers.append((renderer.AddObserver(event, called), called))
 
 
 def _start(renderer: vtkRenderer) -> None:
     """Before a frame: see to what PyVista or others have changed since the last one."""
-    _settled(renderer)
+    there = _settled(renderer)
     record = _records.get(renderer.__this__)
+    widgets.leave_out_of_maps(renderer)
     if record is not None:
         _light(renderer, record)
         record.around.place(renderer, record.indirect, record.lighting == lightings.AUTO, True)
         record.tone.start(renderer, record.indirect)
         record.names = names.take_pyvistas(renderer, record.names)
-    widgets.leave_out_of_maps(renderer)
+        if record.ground is not None and there is record.indirect:
+            record.ground.begin(renderer)
+
+
+def _end(renderer: vtkRenderer) -> None:
+    """After a frame: leave the renderer as its owner knows it."""
+    record = _records.get(renderer.__this__)
+    if record is not None and record.ground is not None:
+        record.ground.end(renderer)
+    if record is not None:
+        record.warner.look(renderer, record.indirect)
 
 
 def _light(renderer: vtkRenderer, record: _Record) -> None:
@@ -385,6 +398,7 @@ def enable(
     quality: Any = KEEP,
     tone_mapping: Any = KEEP,
     exposure: Any = KEEP,
+    ground: Any = KEEP,
     **settings: Any,
 ) -> Any:
     """Switch indirect light on; returns the vtkIndirectIlluminationPass.
@@ -429,6 +443,10 @@ def enable(
     so that 99 % of the lit pixels are at most 1. They are for the whole picture but a plain
     background: colour bars and texts go through the curve as surfaces do.
 
+    `ground` is True for a plane below what is visible that shows nothing but the shadows on it and
+    the light that it catches, on any background; a height; the axis that points up, such as "z"; or
+    an axis and a height. By itself up is the camera's in the first frame. False takes it away.
+
     Calling again changes the method and the settings that are given and keeps the others, where the
     method has them. After an error everything is as it was.
 
@@ -443,7 +461,7 @@ def enable(
     row = check_method(method)
     if row.name == "off":
         words = {"environment": environment, "sun": sun, "up": up, "lighting": lighting}
-        words.update(quality=quality, tone_mapping=tone_mapping, exposure=exposure)
+        words.update(quality=quality, tone_mapping=tone_mapping, exposure=exposure, ground=ground)
         given = [*settings, *(name for name, value in words.items() if value is not KEEP)]
         given += ["sampler"] if sampler else []
         if given:
@@ -454,6 +472,7 @@ def enable(
     tone = tones.check(tone_mapping, exposure)
     if quality is not KEEP:
         qualities.check(quality)
+    place = None if ground is KEEP else grounds.from_value(ground)
     by_name = any(lightings.is_property(name) for name in settings)
     if lighting is not KEEP:
         lightings.check(lighting)
@@ -487,6 +506,10 @@ def enable(
         record.around.place(
             renderer, record.indirect, record.lighting == lightings.AUTO, False
         )
+        if ground is not KEEP:
+            if record.ground is not None:
+                record.ground.release(renderer)
+            record.ground = grounds.Ground(place) if place is not None else None
         _light(renderer, record)
         _keep(renderer, record)
         if there is None:
@@ -507,6 +530,8 @@ def disable(target: Any) -> None:
     """
     for renderer in renderers_of(target):
         record = _forget(renderer)
+        if record is not None and record.ground is not None:
+            record.ground.release(renderer)
         link = chain.find(renderer.GetPass())
         if link is None:
             continue

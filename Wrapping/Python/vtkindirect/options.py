@@ -49,6 +49,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="NUMBER",
         help=f"factor on light before that curve, or {tones.AUTO} (default: 1)",
     )
+    parser.add_argument(
+        "--ground",
+        action="store_true",
+        help="shadows on a ground below the scene that is not seen otherwise",
+    )
 
 
 def _numbers(text: str, count: int) -> list[float] | None:
@@ -84,6 +89,8 @@ def parse(arguments: argparse.Namespace) -> dict[str, Any]:
     if getattr(arguments, "exposure", None) is not None:
         number = _numbers(arguments.exposure, 1)
         found["exposure"] = tones.check_exposure(number[0] if number else arguments.exposure)
+    if getattr(arguments, "ground", False):
+        found["ground"] = True
     around = {name: found[name] for name in surroundings.NOTHING if name in found}
     surroundings.check(**{**surroundings.NOTHING, **around})
     return found
