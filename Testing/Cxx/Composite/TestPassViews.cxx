@@ -6,6 +6,8 @@
 #include "vtkAreaLight.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkMultiresolutionSplattingPass.h"
 #include "vtkRSMGatherPass.h"
 #include "vtkRadianceHintsPass.h"
@@ -142,6 +144,11 @@ VTK_INDIRECT_TEST(ViewsShowBuffers)
   ball->GetProperty()->SetSpecular(0.6);
   ball->GetProperty()->SetSpecularPower(8.0);
   view.Renderer->AddActor(ball);
+  auto catcher = MakeQuad({ 0.5, 0.2, 0.8 }, { 0.5, 0.2, 0.9 }, { 0.6, 0.2, 0.8 });
+  vtkNew<vtkInformation> keys;
+  keys->Set(vtkIndirectIlluminationPass::CATCHES_LIGHT(), 1);
+  catcher->SetPropertyKeys(keys);
+  view.Renderer->AddActor(catcher);
   view.Renderer->ResetCameraClippingRange();
   vtkNew<vtkIndirectIlluminationPass> pass;
   pass->SetReflectiveShadowMapResolution(96);
