@@ -196,19 +196,17 @@ class Plotters(unittest.TestCase):
         self.assertEqual(list(after.actors), ["ball"])
         self.assertLess(after.bounds[1] - after.bounds[0], 1.1)
 
-    def test_cut_out_over_white_is_the_picture_on_white(self) -> None:
+    def test_transparent_over_white_is_the_picture_on_white(self) -> None:
         white = self.plotter()
         picture = white.screenshot().astype(float)[..., :3]
         for plotter in (white, self.plotter("black")):
-            cut = ground.cut_out(plotter).astype(float)
+            cut = vtkindirect.screenshot(plotter, transparent=True).astype(float)
             alpha = cut[..., 3:] / 255.0
             over = cut[..., :3] * alpha + 255.0 * (1.0 - alpha)
             shadow = (cut[..., 3] > 10.0) & (cut[..., 3] < 245.0)
             self.assertGreater(shadow.sum(), 50)
-            if plotter is white:
-                np.testing.assert_allclose(over, picture, atol=1.01)
-            else:  # what is black on black has no colour of its own: bounces are missing
-                self.assertLess(np.abs(over - picture)[shadow].mean(), 4.0)
+            # Three roundings to 8 bits.
+            self.assertLess(np.abs(over - picture)[shadow].max(), 2.0)
 
     def test_orbit_shows_no_horizon(self) -> None:
         plotter = self.plotter(words={"number_of_lights": 16})
@@ -221,12 +219,6 @@ class Plotters(unittest.TestCase):
             np.testing.assert_array_equal(picture[:3], 255)
             steps = np.abs(np.diff(picture[:, :4].mean(axis=(1, 2))))
             self.assertLessEqual(steps.max(), 1.0)
-
-    def test_background_of_one_colour_alone_is_taken_away(self) -> None:
-        plotter = self.plotter()
-        plotter.set_background("white", top="blue")
-        with self.assertRaisesRegex(UsageError, "one colour"):
-            ground.cut_out(plotter)
 
 
 @unittest.skipIf(WHY_NOT, WHY_NOT or "")

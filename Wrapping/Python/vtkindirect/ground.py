@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkInformation, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkInformation
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import (
@@ -28,15 +28,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer,
 )
 
-from vtkindirect import names, wrapped
-from vtkindirect.errors import UsageError
-
-AXES = {
-    sign + letter: (axis, -1.0 if sign == "-" else 1.0)
-    for axis, letter in enumerate("xyz")
-    for sign in ("", "+", "-")
-}
-"""Directions that point up, by name: the coordinate and its sign."""
+from vtkindirect import names, surroundings, wrapped
+from vtkindirect.errors import UsageError, unknown
 
 REACH = 20.0
 """The plane reaches so far from the scene's middle, in diagonals of the scene. From five on less
@@ -77,11 +70,16 @@ def from_value(value: Any) -> Place | None:
             "ground is True, False, a height, the axis that points up, such as 'z', or an axis and "
             f"a height, not {value!r}"
         )
-    if axes and axes[0] not in AXES:
-        raise UsageError(f"ground: '{axes[0]}' is no axis; known are x, y, z, -x, -y, -z")
+    if axes and axes[0] not in surroundings.AXES:
+        raise UsageError(f"ground: {unknown('axis', axes[0], surroundings.AXES)}")
     if heights and not math.isfinite(heights[0]):
         raise UsageError(f"ground: the height {heights[0]} is not finite")
     return Place(axes[0] if axes else None, heights[0] if heights else None)
+
+
+def _axis(name: str) -> tuple[int, float]:
+    """Return the coordinate of an axis that points up, and its sign."""
+    return "xyz".index(name[-1]), -1.0 if name[0] == "-" else 1.0
 
 
 class Ground:
@@ -89,7 +87,7 @@ class Ground:
 
     def __init__(self, place: Place) -> None:
         self.place = place
-        self._up: tuple[int, float] | None = AXES[place.axis] if place.axis is not None else None
+        self._up: tuple[int, float] | None = _axis(place.axis) if place.axis else None
         self._lowest: dict[str, tuple[Any, float]] = {}
         self._box: tuple[float, ...] | None = None
         source = vtkPlaneSource()
@@ -120,7 +118,7 @@ class Ground:
         if box is None or renderer.GetSelector() is not None:
             return
         if self._up is None:
-            self._up = _find_up(renderer)
+            self._up = _axis(surroundings.up_of_camera(renderer))
         axis, sign = self._up
         low, high = np.array(box[0::2]), np.array(box[1::2])
         diagonal = float(np.linalg.norm(high - low)) or 1.0
@@ -235,34 +233,3 @@ def _turned_row(prop: vtkProp3D, axis: int) -> tuple[float, ...] | None:
     if data is None or not hasattr(data, "GetPoints") or data.GetPoints() is None:
         return None
     return row if data.GetNumberOfPoints() > 0 else None
-
-
-def _find_up(renderer: vtkRenderer) -> tuple[int, float]:
-    """Return the axis that points up in the picture most."""
-    up = np.array(renderer.GetActiveCamera().GetViewUp())
-    axis = int(np.argmax(np.abs(up)))
-    return axis, -1.0 if up[axis] < 0.0 else 1.0
-
-
-def cut_out(window: Any) -> np.ndarray:
-    """Return what a window shows without its background: height x width x 4, 8 bits, top row first.
-
-    Alpha is straight, as in PNG files: over a page of the background's colour the picture is that
-    of the window. A window's own RGBA has colours that stand on the background, as VTK draws them.
-    `window` is a vtkRenderWindow or a PyVista plotter, after a frame, whose renderer has a
-    background of one colour.
-    """
-    window = getattr(window, "render_window", window)
-    renderer = window.GetRenderers().GetFirstRenderer()
-    if renderer.GetGradientBackground() or renderer.GetTexturedBackground():
-        raise UsageError("only a background of one colour can be taken away")
-    width, height = window.GetSize()
-    values = vtkUnsignedCharArray()
-    window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, values)
-    pixels = vtk_to_numpy(values).reshape(height, width, 4)[::-1] / 255.0
-    color, alpha = pixels[..., :3], pixels[..., 3:]
-    background = np.round(255.0 * np.array(renderer.GetBackground())) / 255.0
-    own = color - (1.0 - alpha) * background  # times alpha
-    straight = np.divide(own, alpha, out=np.zeros_like(own), where=alpha > 0.0)
-    result = np.concatenate([np.clip(straight, 0.0, 1.0), alpha], axis=2)
-    return np.round(255.0 * result).astype(np.uint8)
