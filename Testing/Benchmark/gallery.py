@@ -1,18 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Makes the rows of Documentation/gallery.md: plain VTK, its UseSSAO and the pass side by side.
 
-    gallery.py [NAME...] [-o DIRECTORY]
+    gallery.py [NAME...] [-o DIRECTORY] [--size WIDTH HEIGHT]
 
-Each picture is 400 x 300. Plain VTK has the multisampling that it has by default; UseSSAO and the
-pass draw into textures without it.
+Each picture is 1600 x 1000, and that of the pass names the words of `vtkindirect.enable` that made it.
+Plain VTK has the multisampling that it has by default; UseSSAO and the pass draw into textures without.
+Prints a line of a table for each row: seconds until the picture is there, in a window of its own.
 """
 
 from __future__ import annotations
 
 import argparse
 import sys
+import time
 from collections.abc import Callable
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import vtkindirect
@@ -25,7 +28,10 @@ import ssao
 
 RING = "ring"
 """The caustic of a metal ring, which is no shot: see caustics.py."""
-NAMES = (RING, "molecule", "terrain", "machine", "brain", "apartment")
+NAMES = (
+    "molecule", "terrain", "fire", "brain", "machine", "streamlines", "particles", "apartment", RING
+)  # fmt: skip
+SIZE = (1600, 1000)
 DIRECTORY = Path(__file__).resolve().parents[2] / "Documentation" / "gallery"
 MULTISAMPLES = 8
 """Samples that a vtkRenderWindow asks for by default."""
@@ -38,7 +44,7 @@ def caption(scene: vtkindirect.Scene, text: str) -> None:
     actor.SetInput(text)
     look = actor.GetTextProperty()
     look.SetFontFamilyToArial()
-    look.SetFontSize(15)
+    look.SetFontSize(max(10, scene.size[1] // 28))
     look.SetColor(1.0, 1.0, 1.0)
     look.SetBackgroundColor(0.0, 0.0, 0.0)
     look.SetBackgroundOpacity(0.6)
@@ -46,44 +52,57 @@ def caption(scene: vtkindirect.Scene, text: str) -> None:
     scene.renderer.AddViewProp(actor)
 
 
-def picture(scene: vtkindirect.Scene, text: str, multisamples: int = 0) -> np.ndarray:
+class Picture(NamedTuple):
+    """A picture of bytes, height x width x 3, and the seconds that it took."""
+
+    values: np.ndarray
+    seconds: float
+
+
+def picture(scene: vtkindirect.Scene, text: str, multisamples: int = 0) -> Picture:
     """Render a scene as it is now, in a window of its own."""
     window = scene.make_window()
     window.SetMultiSamples(multisamples)
     caption(scene, text)
+    begin = time.perf_counter()
     window.Render()  # at the rate of a still picture, which is a window's own
-    found = images.window_bytes(window)
+    window.WaitForCompletion()
+    seconds = time.perf_counter() - begin
+    found = Picture(images.window_bytes(window), seconds)
     window.Finalize()
     return found
 
 
-def plain(shot: shots.Shot) -> np.ndarray:
+def plain(shot: shots.Shot, size: tuple[int, int]) -> Picture:
     """Plain VTK."""
-    return picture(shot.load(), "VTK", MULTISAMPLES)
+    return picture(shot.load(size=size), "VTK", MULTISAMPLES)
 
 
-def occluded(shot: shots.Shot) -> np.ndarray:
+def occluded(shot: shots.Shot, size: tuple[int, int]) -> Picture:
     """Plain VTK with screen-space ambient occlusion."""
-    scene = shot.load()
+    scene = shot.load(size=size)
     with ssao.used(scene.renderer):
         return picture(scene, "VTK, UseSSAO")
 
 
-def lit(shot: shots.Shot) -> np.ndarray:
-    """The pass."""
-    scene = shot.load()
-    vtkindirect.enable(scene, lighting=shot.lighting)
-    return picture(scene, f"vtk-indirect, lighting {shot.lighting}")
+def lit(shot: shots.Shot, size: tuple[int, int]) -> Picture:
+    """The pass, with the shot's words."""
+    scene = shot.load(size=size)
+    vtkindirect.enable(scene, **shot.words)
+    words = ", ".join(f"{name}={value!r}" for name, value in shot.words.items())
+    return picture(scene, f"vtk-indirect, {words}".rstrip(", "))
 
 
-WAYS: tuple[Callable[[shots.Shot], np.ndarray], ...] = (plain, occluded, lit)
+WAYS: tuple[Callable[[shots.Shot, tuple[int, int]], Picture], ...] = (plain, occluded, lit)
 
 
-def row(shot: shots.Shot) -> np.ndarray:
-    """All ways side by side."""
-    found = [way(shot) for way in WAYS]
-    gap = np.full((found[0].shape[0], GAP, 3), 255, dtype=np.uint8)
-    return np.hstack([part for one in found for part in (gap, one)][1:])
+def row(shot: shots.Shot, size: tuple[int, int] = SIZE) -> tuple[np.ndarray, list[float]]:
+    """All ways side by side, and their seconds. What the shot stands on makes room for a ground."""
+    shot = shot.alone() if shot.words.get("ground") else shot
+    found = [way(shot, size) for way in WAYS]
+    gap = np.full((found[0].values.shape[0], GAP, 3), 255, dtype=np.uint8)
+    parts = [part for one in found for part in (gap, one.values)][1:]
+    return np.hstack(parts), [one.seconds for one in found]
 
 
 def main() -> int:
@@ -91,6 +110,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(NAMES))
     parser.add_argument("-o", "--output", type=Path, default=DIRECTORY, metavar="DIRECTORY")
+    parser.add_argument(
+        "--size", nargs=2, type=int, default=SIZE, metavar=("WIDTH", "HEIGHT"), help="of a picture"
+    )
     words = parser.parse_args()
     for name in words.names:
         if name != RING and name not in shots.SHOTS:
@@ -98,9 +120,14 @@ def main() -> int:
             parser.error(f"there is no shot '{name}'; known: {known}")
     words.output.mkdir(parents=True, exist_ok=True)
     for name in words.names or NAMES:
-        path = words.output / f"row_{name}.png"
-        images.write_png(path, caustics.picture() if name == RING else row(shots.SHOTS[name]))
-        print(path, flush=True)
+        if name == RING:
+            images.write_png(words.output / f"row_{name}.png", caustics.picture())
+            continue
+        shot = shots.SHOTS[name]
+        values, seconds = row(shot, tuple(words.size))
+        images.write_bytes(words.output / f"row_{name}.jpg", values)
+        cells = [shot.title, *(f"{value:.2f}" for value in seconds)]
+        print(f"| {' | '.join(cells)} |", flush=True)
     return 0
 
 

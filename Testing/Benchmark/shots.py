@@ -20,6 +20,7 @@ SIZE = (400, 300)
 
 Values = dict[str, Any]
 LIGHT_KIT: Values = {"type": "light_kit"}
+STUDIO: Values = {"environment": "studio", "ground": True}
 
 
 @dataclass(frozen=True)
@@ -27,8 +28,9 @@ class Shot:
     """A scene file with changes.
 
     `without`: names of its actors to leave out. `ground`: what the object stands on. `changes` take
-    the place of its keys. `sun`: the direction in which light of a single sun travels. `lighting`:
-    the preset that suits it.
+    the place of its keys. `sun`: the direction in which light of a single sun travels. `lights`: None
+    for those of the scene file. `lighting`: the preset that suits it. `words`: those of
+    `vtkindirect.enable` for a picture to publish.
     """
 
     title: str
@@ -37,14 +39,17 @@ class Shot:
     without: tuple[str, ...] = ()
     ground: tuple[str, ...] = ()
     changes: Values = field(default_factory=dict)
-    lights: tuple[Values, ...] = (LIGHT_KIT,)
+    lights: tuple[Values, ...] | None = (LIGHT_KIT,)
     lighting: str = "scene"
+    words: Values = field(default_factory=dict)
 
     def document(self) -> Values:
         """The scene file with its changes; paths of data files are whole."""
         path = SCENES / f"{self.scene}.json"
         values = json.loads(path.read_text(encoding="utf-8"))
-        values |= {"background": WHITE, "size": SIZE, "lights": self.lights, **self.changes}
+        values |= {"background": WHITE, "size": SIZE}
+        values |= {"lights": self.lights} if self.lights is not None else {}
+        values |= self.changes
         values["actors"] = [
             actor for actor in values["actors"] if actor.get("name") not in self.without
         ]
@@ -101,6 +106,21 @@ def _quadric(value: float, color: tuple[float, float, float]) -> Values:
     }
 
 
+def _air(count: int, radius: float) -> Values:
+    """Paths of air in the room of a fire, coloured by its temperature."""
+    seeds = {"point1": [0.4, 0.1, 0.15], "point2": [4.9, 2.3, 2.2], "count": count}
+    return {
+        "name": "air",
+        "file": "../Data/room_fire_cfd.vtu",
+        "pipeline": [
+            {"stream_tracer": {"vectors": "uvw", "seeds": seeds}},
+            {"tube": {"radius": radius, "sides": 16}},
+            {"normals": {"feature_angle": 60}},
+        ],
+        "scalars": {"array": "t", "range": [298, 420], "map": "coolwarm"},
+    }
+
+
 SHOTS = {
     "molecule": Shot(
         "A protein, atoms coloured by chain",
@@ -113,6 +133,7 @@ SHOTS = {
             }
         },
         lighting="soft",
+        words=STUDIO,
     ),
     "isosurfaces": Shot(
         "Isosurfaces of a wavelet",
@@ -162,6 +183,7 @@ SHOTS = {
         (-0.6, -0.7, -0.4),
         ground=("table",),
         lighting="full",
+        words=STUDIO,
     ),
     "terrain": Shot(
         "A terrain under sky and sun",
@@ -178,6 +200,53 @@ SHOTS = {
             {"type": "environment", "radiance": (0.25, 0.34, 0.5)},
         ),
     ),
+    "fire": Shot(
+        "A fire in a room: hot layer, paths of air",
+        "room_fire",
+        (-0.3, -0.8, -0.5),
+        changes={"background": (0.03, 0.03, 0.04)},
+        lights=None,
+    ),
+    "streamlines": Shot(
+        "Paths of air in a room, coloured by temperature",
+        "room_fire",
+        (-0.6, -0.7, -0.4),
+        changes={
+            "camera": {
+                "position": [-0.6, 4.2, 7.2], "focal_point": [2.9, 1.0, 1.2], "view_angle": 27
+            },
+            "actors": [_air(70, 0.022)],
+        },
+        words=STUDIO,
+    ),
+    "particles": Shot(
+        "Particles of a granular flow, coloured by radius",
+        "sky_particles",
+        (-0.6, -0.7, -0.4),
+        ground=("ground",),
+        changes={
+            "camera": {
+                "position": [27.7, 92.6, 184.9], "focal_point": [0, -4, 0], "view_angle": 28
+            },
+            "actors": [
+                {
+                    "name": "particles",
+                    "file": "../Data/particles.vtp",
+                    "spheres": {"radius": 1, "scale_by": "radius"},
+                    "scalars": {"array": "radius", "map": "viridis"},
+                },
+                {
+                    "name": "ground",
+                    "source": "plane",
+                    "origin": [-90, -21, 70],
+                    "point1": [90, -21, 70],
+                    "point2": [-90, -21, -70],
+                    "color": [0.8, 0.8, 0.8],
+                },
+            ],
+        },
+        words={"environment": "overcast"},
+    ),
     "brain": Shot(
         "A brain, the contour of an MRI",
         "brain",
@@ -190,6 +259,7 @@ SHOTS = {
             }
         },
         lighting="soft",
+        words=STUDIO,
     ),
     "apartment": Shot(
         "A flat at noon, its roof cut away",

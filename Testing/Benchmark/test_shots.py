@@ -96,12 +96,13 @@ class Rendering(unittest.TestCase):
         window.Finalize()
 
     def test_a_row_of_the_gallery(self) -> None:
-        with mock.patch.object(shots, "SIZE", (96, 72)):
-            picture = gallery.row(shots.SHOTS["machine"])
+        picture, seconds = gallery.row(shots.SHOTS["machine"], (96, 72))
         self.assertEqual(picture.shape, (72, 3 * 96 + 2 * gallery.GAP, 3))
         parts = [picture[:, i * (96 + gallery.GAP) :][:, :96].astype(int) for i in range(3)]
         for first, second in ((0, 1), (0, 2), (1, 2)):
             self.assertGreater(np.abs(parts[first] - parts[second]).mean(), 1.0)
+        self.assertEqual(len(seconds), 3)
+        self.assertGreater(min(seconds), 0.0)
 
 
 if __name__ == "__main__":
