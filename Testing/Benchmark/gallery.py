@@ -97,7 +97,7 @@ WAYS: tuple[Callable[[shots.Shot, tuple[int, int]], Picture], ...] = (plain, occ
 
 
 def row(shot: shots.Shot, size: tuple[int, int] = SIZE) -> tuple[np.ndarray, list[float]]:
-    """All ways side by side, and their seconds. What the shot stands on makes room for a ground."""
+    """All ways side by side, and their seconds. A ground takes the place of the shot's own."""
     shot = shot.alone() if shot.words.get("ground") else shot
     found = [way(shot, size) for way in WAYS]
     gap = np.full((found[0].values.shape[0], GAP, 3), 255, dtype=np.uint8)
