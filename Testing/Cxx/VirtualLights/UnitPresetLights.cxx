@@ -340,7 +340,7 @@ VTK_INDIRECT_TEST(PresetLightsHeadroom)
         }
         if (albedo == 1.0)
         {
-          // Nothing of the headroom is left over.
+          // The strength uses the whole headroom.
           CheckAtLeast(name + ", what is concave", brightest, std::max(white, most) * 0.98, why);
         }
       }

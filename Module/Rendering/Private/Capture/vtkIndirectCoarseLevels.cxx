@@ -319,7 +319,7 @@ void vtkIndirectCoarseLevels::AddToReport(vtkIndirectReport& report) const
       ? std::to_string(static_cast<long long>(this->Drawn)) + " triangles drawn in place of " +
         std::to_string(static_cast<long long>(this->Full)) + " so far, a texel from them at most"
       : "levels of " + std::to_string(all.size()) +
-        " meshes, used by no map: half a texel from what they draw at most");
+        " meshes, used by no map: too far from what they stand for");
 }
 
 //------------------------------------------------------------------------------

@@ -46,8 +46,9 @@ const vtkIndirectChannels RowChannels = {
     "depth buffer" },
 };
 
-// Coarse levels deviate from their mesh by at most this many texels in maps for shadows alone.
-constexpr double MostError = 0.29;
+// Coarse levels deviate from their mesh by at most this many texels in moving frames' maps for
+// shadows alone. Still frames draw the mesh itself, as the first frame does, whose mappers have no
+// buffers yet.
 constexpr double MostErrorInMotion = 1.0;
 
 constexpr int SlopeChannel = 0;
@@ -61,6 +62,11 @@ constexpr int LeastTexels = 16;
 // Number of texels of all maps together whose resolution follows the frame: 335 MB.
 constexpr double MostTexelsOfAutomatic = 8.0 * 1024.0 * 1024.0;
 constexpr int LeastTexelsOfAutomatic = 512;
+
+double FindMostError(const vtkIndirectPlan& plan)
+{
+  return plan.Interactive ? MostErrorInMotion : 0.0;
+}
 
 // Returns the wanted texels along an edge, or a half, a quarter and so on down to the least, so
 // that all layers together have no more than `most` texels.
@@ -237,6 +243,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
       const vtkIndirectDepthTile view = isWindow ? map.GetWindowView() : map.Faces[face];
       vtkIndirectKey key;
       map.AppendTo(key);
+      key.Add("error of levels", this->HasSenders() ? 0.0 : FindMostError(plan));
       if (isWindow)
       {
         key.Add("window", map.Window.HalfWidth).Add("window", map.Window.Middle.x);
@@ -311,7 +318,7 @@ std::vector<const vtkIndirectCaster*> vtkIndirectLightMaps::DrawShadows(
   }
   return this->Drawer.Draw(frame, casters,
     { { frame, view, 0, glm::ivec2(0), glm::ivec2(this->Texels) } }, this->Texels,
-    plan.Interactive ? MostErrorInMotion : MostError, true);
+    FindMostError(plan), true);
 }
 
 //------------------------------------------------------------------------------
