@@ -19,8 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 import vtkindirect
-from vtkindirect import images
-from vtkmodules.vtkRenderingCore import vtkTextActor
+from vtkindirect import demo, images
 
 import caustics
 import shots
@@ -33,23 +32,7 @@ NAMES = (
 )  # fmt: skip
 SIZE = (1600, 1000)
 DIRECTORY = Path(__file__).resolve().parents[2] / "Documentation" / "gallery"
-MULTISAMPLES = 8
-"""Samples that a vtkRenderWindow asks for by default."""
 GAP = 4
-
-
-def caption(scene: vtkindirect.Scene, text: str) -> None:
-    """Write what a picture shows into its lower left corner."""
-    actor = vtkTextActor()
-    actor.SetInput(text)
-    look = actor.GetTextProperty()
-    look.SetFontFamilyToArial()
-    look.SetFontSize(max(10, scene.size[1] // 28))
-    look.SetColor(1.0, 1.0, 1.0)
-    look.SetBackgroundColor(0.0, 0.0, 0.0)
-    look.SetBackgroundOpacity(0.6)
-    actor.SetPosition(8, 8)
-    scene.renderer.AddViewProp(actor)
 
 
 class Picture(NamedTuple):
@@ -63,7 +46,7 @@ def picture(scene: vtkindirect.Scene, text: str, multisamples: int = 0) -> Pictu
     """Render a scene as it is now, in a window of its own."""
     window = scene.make_window()
     window.SetMultiSamples(multisamples)
-    caption(scene, text)
+    scene.renderer.AddViewProp(demo.caption(scene, text))
     begin = time.perf_counter()
     window.Render()  # at the rate of a still picture, which is a window's own
     window.WaitForCompletion()
@@ -75,7 +58,7 @@ def picture(scene: vtkindirect.Scene, text: str, multisamples: int = 0) -> Pictu
 
 def plain(shot: shots.Shot, size: tuple[int, int]) -> Picture:
     """Plain VTK."""
-    return picture(shot.load(size=size), "VTK", MULTISAMPLES)
+    return picture(shot.load(size=size), "VTK", demo.MULTISAMPLES)
 
 
 def occluded(shot: shots.Shot, size: tuple[int, int]) -> Picture:

@@ -19,7 +19,7 @@ MULTISAMPLES = 8
 _GAP = 4
 
 
-def _caption(scene: Scene, text: str) -> vtkTextActor:
+def caption(scene: Scene, text: str) -> vtkTextActor:
     """Return a caption in the lower left corner; its size goes with the picture's."""
     actor = vtkTextActor()
     actor.SetInput(text)
@@ -35,11 +35,11 @@ def _caption(scene: Scene, text: str) -> vtkTextActor:
 
 def _captioned(scene: Scene, window: Any, text: str) -> np.ndarray:
     """Return the picture with a caption, which no measured frame has."""
-    caption = _caption(scene, text)
-    scene.renderer.AddViewProp(caption)
+    shown = caption(scene, text)
+    scene.renderer.AddViewProp(shown)
     window.Render()
     picture = images.window_bytes(window)
-    scene.renderer.RemoveViewProp(caption)
+    scene.renderer.RemoveViewProp(shown)
     return picture
 
 
