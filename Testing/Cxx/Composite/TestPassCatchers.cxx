@@ -114,16 +114,7 @@ const CatcherLight CatcherLights[] = {
 // far plane lies before its end.
 VTK_INDIRECT_TEST(CatchersAreTheBackground)
 {
-  vtkNew<vtkImageData> picture;
-  picture->SetDimensions(4, 4, 1);
-  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int i = 0; i < 48; ++i)
-  {
-    static_cast<unsigned char*>(picture->GetScalarPointer())[i] =
-      static_cast<unsigned char>(17 * i);
-  }
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(picture);
+  const vtkSmartPointer<vtkTexture> texture = MakeColorfulTexture();
   const std::pair<const char*, std::function<void(vtkRenderer*)>> backgrounds[] = {
     { "white", [](vtkRenderer* renderer) { renderer->SetBackground(1.0, 1.0, 1.0); } },
     { "black", [](vtkRenderer* renderer) { renderer->SetBackground(0.0, 0.0, 0.0); } },

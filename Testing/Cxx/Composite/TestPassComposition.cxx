@@ -307,16 +307,7 @@ VTK_INDIRECT_TEST(Overlay)
 // The background of an empty scene is VTK's, bit for bit, alpha included.
 VTK_INDIRECT_TEST(Backgrounds)
 {
-  vtkNew<vtkImageData> picture;
-  picture->SetDimensions(4, 4, 1);
-  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-  for (int i = 0; i < 48; ++i)
-  {
-    static_cast<unsigned char*>(picture->GetScalarPointer())[i] =
-      static_cast<unsigned char>(17 * i);
-  }
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(picture);
+  const vtkSmartPointer<vtkTexture> texture = MakeColorfulTexture();
   const std::pair<const char*, SetUp> kinds[] = {
     { "colour", [](View& view) { view.Renderer->SetBackground(0.3, 0.5, 0.7); } },
     { "gradient",

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Actors, lights and the room.
+#include "vtkImageData.h"
 #include "vtkIndirectContractUtilities.h"
+#include "vtkTexture.h"
 
 #include "vtkCubeSource.h"
 #include "vtkPlaneSource.h"
@@ -18,6 +20,22 @@ vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithm* source, const Vec3& color)
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   return actor;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkTexture> MakeColorfulTexture()
+{
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(4, 4, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  for (int i = 0; i < 48; ++i)
+  {
+    static_cast<unsigned char*>(picture->GetScalarPointer())[i] =
+      static_cast<unsigned char>(17 * i);
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(picture);
+  return texture;
 }
 
 //------------------------------------------------------------------------------

@@ -25,6 +25,7 @@
 
 class vtkAlgorithm;
 class vtkProp3D;
+class vtkTexture;
 
 namespace contract
 {
@@ -159,6 +160,8 @@ vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithm* source, const Vec3& color = { 
 /** A parallelogram; its normal is (point1 - origin) x (point2 - origin). */
 vtkSmartPointer<vtkActor> MakeQuad(const Vec3& origin, const Vec3& point1, const Vec3& point2,
   const Vec3& color = { 0.8, 0.8, 0.8 }, int resolution = 1);
+/** A texture of 4 x 4 texels of different colours. */
+vtkSmartPointer<vtkTexture> MakeColorfulTexture();
 vtkSmartPointer<vtkActor> MakeSphere(
   const Vec3& center, double radius, const Vec3& color = { 0.8, 0.8, 0.8 }, int resolution = 32);
 vtkSmartPointer<vtkActor> MakeBox(
