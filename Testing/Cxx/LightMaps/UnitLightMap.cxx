@@ -390,7 +390,7 @@ VTK_INDIRECT_TEST(MapWindow)
     }
     ++windows;
     tooWide += window.HalfWidth > 0.5 * map.HalfWidth ? 1 : 0;
-    const vtkIndirectDepthTile view = map.GetWindowView();
+    const vtkIndirectDepthTile view = map.GetView(map.NumberOfFaces);
     double widest = 0.0; // texel over pixel
     for (const vtkIndirectSeen::Place& place : scene.Frame.Seen.Places)
     {

@@ -196,8 +196,12 @@ void vtkIndirectLightMap::FitWindow(const vtkIndirectFrame& frame, int texels)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectDepthTile vtkIndirectLightMap::GetWindowView() const
+vtkIndirectDepthTile vtkIndirectLightMap::GetView(int face) const
 {
+  if (face < this->NumberOfFaces)
+  {
+    return this->Faces[face];
+  }
   vtkIndirectDepthTile view = this->Faces[0];
   const glm::dvec2& middle = this->Window.Middle;
   view.HalfWidth = glm::dvec2(this->Window.HalfWidth);

@@ -23,8 +23,15 @@ public:
   void FitWindow(const vtkIndirectFrame& frame, int texels);
   /** Returns true if the texels of the window are senders; a parallel map's are. */
   bool HasSenderWindow() const { return this->Window.Layer >= 0 && !this->Light.Positional; }
-  /** Returns the view of the window. */
-  vtkIndirectDepthTile GetWindowView() const;
+
+  ///@{
+  /** Return the view and the layer of a face, or of the window, which comes after the faces. */
+  vtkIndirectDepthTile GetView(int face) const;
+  int GetLayer(int face) const
+  {
+    return face < this->NumberOfFaces ? this->FirstLayer + face : this->Window.Layer;
+  }
+  ///@}
 
   /**
    * Fits the depth range of a positional light's map to casters within bounds along the axes of the

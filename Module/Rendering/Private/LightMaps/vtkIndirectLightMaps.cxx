@@ -240,7 +240,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     for (int face = 0; face < map.NumberOfFaces + windows; ++face)
     {
       const bool isWindow = face == map.NumberOfFaces;
-      const vtkIndirectDepthTile view = isWindow ? map.GetWindowView() : map.Faces[face];
+      const vtkIndirectDepthTile view = map.GetView(face);
       vtkIndirectKey key;
       map.AppendTo(key);
       key.Add("error of levels", this->HasSenders() ? 0.0 : FindMostError(plan));
@@ -262,7 +262,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
       {
         windowKeys.push_back(key);
       }
-      const int layer = isWindow ? map.Window.Layer : map.FirstLayer + face;
+      const int layer = map.GetLayer(face);
       vtkIndirectKey& last = this->Faces[layer];
       if (plan.Caching && last == key)
       {
@@ -333,10 +333,9 @@ void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
     const int windows = map.HasSenderWindow() ? 1 : 0;
     for (int face = 0; face < map.NumberOfFaces + windows; ++face)
     {
-      const bool isWindow = face == map.NumberOfFaces;
-      const int layer = isWindow ? map.Window.Layer : map.FirstLayer + face;
       glm::vec4 row[VTKI_MAP_TABLE_WIDTH];
-      const glm::dmat4 toScene = (isWindow ? map.GetWindowView() : map.Faces[face]).GetToScene();
+      const vtkIndirectDepthTile view = map.GetView(face);
+      const glm::dmat4 toScene = view.GetToScene();
       const glm::dmat4 fromScene = glm::inverse(toScene);
       for (int r = 0; r < 3; ++r)
       {
@@ -349,8 +348,8 @@ void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
       const vtkIndirectLight& light = map.Light;
       const double s = frame.SceneScale;
       const bool cone = light.Positional && light.ConeAngle < 90.0;
-      row[VTKI_MAP_SHAPE] = glm::vec4(map.Projection,
-        isWindow ? map.Window.HalfWidth : map.HalfWidth, this->Texels, light.Exponent);
+      row[VTKI_MAP_SHAPE] =
+        glm::vec4(map.Projection, view.HalfWidth.x, this->Texels, light.Exponent);
       row[VTKI_MAP_LIGHT] = glm::vec4(glm::vec3(light.Color), light.Index);
       // Distances reach the shader in scene units: c + l (d'/s) + q (d'/s)^2.
       row[VTKI_MAP_FALLOFF] =
@@ -358,7 +357,7 @@ void vtkIndirectLightMaps::UpdateTable(const vtkIndirectFrame& frame)
           cone ? std::pow(std::tan(glm::radians(light.ConeAngle)), 2.0) : -1.0);
       row[VTKI_MAP_AXIS] = glm::vec4(glm::vec3(light.DirectionWC * glm::dmat3(toScene)), face);
       std::copy(&row[0][0], &row[0][0] + 4 * VTKI_MAP_TABLE_WIDTH,
-        table.begin() + 4 * VTKI_MAP_TABLE_WIDTH * layer);
+        table.begin() + 4 * VTKI_MAP_TABLE_WIDTH * map.GetLayer(face));
     }
   }
   if (!this->TableTexture.IsEmpty() && table == this->Table)

@@ -54,8 +54,8 @@ bool Blit(vtkOpenGLState* state, const int from[2], const int to[2], int width, 
 {
   vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
   state->vtkglDisable(GL_SCISSOR_TEST);
-  // Errors of earlier calls stay until somebody asks: VTK's depth peeling leaves one. A lost context
-  // has one after another.
+  // Errors of earlier calls stay until somebody asks: VTK's depth peeling leaves one. A lost
+  // context has one after another.
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
   }
@@ -397,26 +397,18 @@ void vtkIndirectTarget::ActivateDepth(const vtkIndirectProgram& program, const c
 //------------------------------------------------------------------------------
 std::vector<float> vtkIndirectTarget::ReadBack(int channel) const
 {
-  std::vector<float> values(static_cast<size_t>(this->Width) * this->Height * 4);
+  const bool depth = channel == DepthChannel;
+  std::vector<float> values(static_cast<size_t>(this->Width) * this->Height * (depth ? 1 : 4));
   vtkOpenGLState* state = this->Window->GetState();
   state->PushFramebufferBindings();
   this->Framebuffer->Bind();
-  this->Framebuffer->ActivateReadBuffer(static_cast<unsigned int>(channel));
+  if (!depth)
+  {
+    this->Framebuffer->ActivateReadBuffer(static_cast<unsigned int>(channel));
+  }
   state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, this->Width, this->Height, GL_RGBA, GL_FLOAT, values.data());
-  state->PopFramebufferBindings();
-  return values;
-}
-
-//------------------------------------------------------------------------------
-std::vector<float> vtkIndirectTarget::ReadBackDepth() const
-{
-  std::vector<float> values(static_cast<size_t>(this->Width) * this->Height);
-  vtkOpenGLState* state = this->Window->GetState();
-  state->PushFramebufferBindings();
-  this->Framebuffer->Bind();
-  state->vtkglPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, this->Width, this->Height, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
+  glReadPixels(
+    0, 0, this->Width, this->Height, depth ? GL_DEPTH_COMPONENT : GL_RGBA, GL_FLOAT, values.data());
   state->PopFramebufferBindings();
   return values;
 }

@@ -88,10 +88,9 @@ public:
   void Activate(int channel, const vtkIndirectProgram& program, const char* uniform) const;
   void ActivateDepth(const vtkIndirectProgram& program, const char* uniform) const;
 
-  /** Reads a channel back, four floats a pixel, bottom row first. */
+  static constexpr int DepthChannel = -1;
+  /** Reads a channel back, four floats a pixel, or depths, one float; bottom row first. */
   std::vector<float> ReadBack(int channel) const;
-  /** Reads the depths back, a float a pixel. */
-  std::vector<float> ReadBackDepth() const;
 
   /** Replaces a channel's content from a row on: four floats a pixel, bottom row first. */
   void Write(int channel, const std::vector<float>& values, int row = 0);

@@ -44,7 +44,7 @@ bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
     const vtkIndirectLightMap& map = input.Maps.GetMap(i);
     if (map.HasSenderWindow())
     {
-      windows.push_back({ map.GetWindowView(), map.Light.Index });
+      windows.push_back({ map.GetView(map.NumberOfFaces), map.Light.Index });
     }
   }
   const size_t faces = static_cast<size_t>(input.Maps.GetNumberOfLayers());

@@ -86,7 +86,10 @@ public:
   /** Returns how many tiles were drawn since construction. */
   size_t GetNumberOfTilesDrawn() const { return this->NumberOfTilesDrawn; }
   /** Returns the depths of all texels, bottom row first; 1: nothing is there. */
-  std::vector<float> ReadBack() const { return this->Depths.ReadBackDepth(); }
+  std::vector<float> ReadBack() const
+  {
+    return this->Depths.ReadBack(vtkIndirectTarget::DepthChannel);
+  }
   /** Returns the number of texels of all tiles. */
   double CountTexels() const;
 
