@@ -190,15 +190,36 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     return true;
   }
   // Windows come after all maps.
-  for (vtkIndirectLightMap& map : this->Maps)
+  vtkIndirectKey seen;
+  frame.AppendUnitsTo(seen);
+  seen.Add("texels", this->Texels);
+  for (const vtkIndirectSeen::Place& place : frame.Seen.Places)
   {
+    seen.Add("places", place.At).Add("places", place.Pixel);
+  }
+  if (this->SeenKey.Take(seen))
+  {
+    this->FittedWindows.clear();
+  }
+  this->FittedWindows.resize(this->Maps.size());
+  for (size_t i = 0; i < this->Maps.size(); ++i)
+  {
+    vtkIndirectLightMap& map = this->Maps[i];
     const int layer = this->NumberOfLayers + this->NumberOfWindows;
     // No stage reads the window of a positional light with a size: shadows come from its penumbra,
     // and senders from its map.
     const bool isRead = map.Light.Size == 0.0 || !map.Light.Positional;
     if (plan.Shadows && isRead && layer < mostLayers)
     {
-      map.FitWindow(frame, this->Texels);
+      FittedWindow& fitted = this->FittedWindows[i];
+      vtkIndirectKey inputs;
+      map.AppendTo(inputs);
+      if (fitted.Inputs.Take(inputs))
+      {
+        map.FitWindow(frame, this->Texels);
+        fitted.Window = map.Window;
+      }
+      map.Window = fitted.Window;
       map.Window.Layer = map.Window.HalfWidth > 0.0 ? layer : -1;
       this->NumberOfWindows += map.Window.HalfWidth > 0.0 ? 1 : 0;
     }

@@ -119,9 +119,17 @@ private:
   vtkIndirectFullScreenProgram RowKernel{ this, "vtkIndirectShadowRowsFS.glsl" };
   std::set<int> StaleRows; // layers whose depths are newer than their rows
   std::vector<vtkIndirectLightMap> Maps;
-  int NumberOfLayers = 0;            // of maps
-  int NumberOfWindows = 0;           // the layers after those of maps
-  std::vector<vtkIndirectKey> Faces; // the inputs of each layer's image; empty: not drawn
+  // Windows are fitted to places that the eye sees, and kept while both stay.
+  struct FittedWindow
+  {
+    vtkIndirectKey Inputs;
+    vtkIndirectShadowMap::WindowType Window;
+  };
+  vtkIndirectKey SeenKey;
+  std::vector<FittedWindow> FittedWindows; // of each map
+  int NumberOfLayers = 0;                  // of maps
+  int NumberOfWindows = 0;                 // the layers after those of maps
+  std::vector<vtkIndirectKey> Faces;       // the inputs of each layer's image; empty: not drawn
   std::vector<float> Table;
   int LayersOfTable = 0; // of maps
   vtkIndirectDataTexture TableTexture{ this };
