@@ -2,6 +2,7 @@
 """One warning says which props take no part in indirect light."""
 
 import unittest
+import unittest.mock
 import warnings
 
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkSphereSource
@@ -9,6 +10,7 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkRenderer
 
 import support
 import vtkindirect
+from vtkindirect import partaking
 
 WHY_NOT = support.why_no_rendering()
 
@@ -54,6 +56,19 @@ class Partaking(unittest.TestCase):
         self.assertEqual(warning.filename, __file__)
         self.renderer.AddActor(actor(vtkLineSource()))
         self.assertEqual(self.warned(), [])
+
+    def test_still_frames_on_a_ground_read_no_report(self) -> None:
+        vtkindirect.enable(self.renderer, ground=True)
+        self.window.Render()
+        with unittest.mock.patch.object(
+            partaking, "props_left_out", wraps=partaking.props_left_out
+        ) as read:
+            for _ in range(3):
+                self.window.Render()
+            self.assertEqual(read.call_count, 0)
+            self.renderer.AddActor(actor(vtkSphereSource()))
+            self.window.Render()
+            self.assertEqual(read.call_count, 1)
 
 
 if __name__ == "__main__":

@@ -221,6 +221,7 @@ def _start(renderer: vtkRenderer) -> None:
         record.around.place(renderer, record.indirect, record.lighting == lightings.AUTO, True)
         record.tone.start(renderer, record.indirect)
         record.names = names.take_pyvistas(renderer, record.names)
+        record.warner.start(renderer)
         if record.ground is not None and there is record.indirect:
             record.ground.begin(renderer)
 

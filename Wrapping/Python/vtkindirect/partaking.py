@@ -23,16 +23,19 @@ class Warner:
     """
 
     def __init__(self) -> None:
-        self._props: tuple[int, int] | None = None
+        self._seen = -1
+        self._changed = True
         self._done = False
+
+    def start(self, renderer: vtkRenderer) -> None:
+        """Before a frame, and before its ground comes: see whether props have changed."""
+        self._changed = renderer.GetViewProps().GetMTime() != self._seen
 
     def look(self, renderer: vtkRenderer, indirect: Any) -> None:
         """After a frame: warn, if the frame is the first to leave out a prop of the renderer."""
-        props = renderer.GetViewProps()
-        seen = (props.GetNumberOfItems(), props.GetMTime())
-        if self._done or seen == self._props:
+        self._seen = renderer.GetViewProps().GetMTime()
+        if self._done or not self._changed:
             return
-        self._props = seen
         left_out = props_left_out(json.loads(indirect.GetReport()))
         if left_out:
             self._done = True
