@@ -22,7 +22,6 @@
 #include "vtkHiddenLineRemovalPass.h"
 #include "vtkImageData.h"
 #include "vtkIndirectEstimatorPass.h"
-#include "vtkLight.h"
 #include "vtkLightsPass.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -39,20 +38,6 @@
 #include <algorithm>
 #include <optional>
 #include <vector>
-
-namespace
-{
-void SetLightSize(vtkLight* light, vtkInformationDoubleKey* key, double size, double most)
-{
-  if (!light)
-  {
-    vtkErrorWithObjectMacro(
-      static_cast<vtkObject*>(nullptr), "A light's size needs a light to belong to.");
-    return;
-  }
-  vtkIndirectInformationKeys::Set(light, key, size, most);
-}
-}
 
 vtkStandardNewMacro(vtkIndirectIlluminationPass);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Estimator, vtkIndirectEstimatorPass);
@@ -86,7 +71,8 @@ vtkInformationStringKey* vtkIndirectIlluminationPass::NAME()
 //------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::SetLightRadius(vtkLight* light, double radius)
 {
-  SetLightSize(light, vtkIndirectInformationKeys::LightRadius(), radius, VTK_DOUBLE_MAX);
+  vtkIndirectInformationKeys::Set(
+    light, vtkIndirectInformationKeys::LightRadius(), radius, VTK_DOUBLE_MAX);
 }
 
 //------------------------------------------------------------------------------
@@ -98,7 +84,7 @@ double vtkIndirectIlluminationPass::GetLightRadius(vtkLight* light)
 //------------------------------------------------------------------------------
 void vtkIndirectIlluminationPass::SetLightAngle(vtkLight* light, double degrees)
 {
-  SetLightSize(light, vtkIndirectInformationKeys::LightAngle(), degrees, 90.0);
+  vtkIndirectInformationKeys::Set(light, vtkIndirectInformationKeys::LightAngle(), degrees, 90.0);
 }
 
 //------------------------------------------------------------------------------

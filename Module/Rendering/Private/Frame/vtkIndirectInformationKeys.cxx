@@ -44,6 +44,12 @@ double vtkIndirectInformationKeys::Get(vtkLight* light, vtkInformationDoubleKey*
 void vtkIndirectInformationKeys::Set(
   vtkLight* light, vtkInformationDoubleKey* key, double value, double most)
 {
+  if (!light)
+  {
+    vtkErrorWithObjectMacro(
+      static_cast<vtkObject*>(nullptr), "A light's size needs a light to belong to.");
+    return;
+  }
   const double clamped = value > 0.0 ? (value < most ? value : most) : 0.0;
   if (Get(light, key) == clamped)
   {

@@ -25,6 +25,9 @@ vtkInformationDoubleKey* LightFill();   // share; 1: see vtkIndirectLight; set b
 bool IsSet(vtkProp* prop, vtkInformationIntegerKey* key, bool otherwise = true);
 /** Returns a key's value for a light; 0 if it is not set. */
 double Get(vtkLight* light, vtkInformationDoubleKey* key);
-/** Sets a key's value, clamped to [0, most]; a value that is not a number becomes 0. */
+/**
+ * Sets a key's value, clamped to [0, most]; a value that is not a number becomes 0. No light is an
+ * error.
+ */
 void Set(vtkLight* light, vtkInformationDoubleKey* key, double value, double most);
 }
