@@ -11,7 +11,6 @@
 #include "Gather/vtkIndirectGlossyGather.h"
 #include "Gather/vtkIndirectLobeGather.h"
 #include "Gather/vtkIndirectSum.h"
-#include "LightMaps/vtkIndirectLightMap.h"
 #include "LightMaps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"

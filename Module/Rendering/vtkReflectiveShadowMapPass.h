@@ -27,7 +27,6 @@
 #ifndef vtkReflectiveShadowMapPass_h
 #define vtkReflectiveShadowMapPass_h
 
-#include "vtkIndirectSettings.h" // For properties
 #include "vtkOpenGLRenderPass.h"
 #include "vtkRenderingIndirectModule.h" // For export macro
 

@@ -208,6 +208,6 @@ vec4 vtkiTestKernel(int kernel, vec4 a, vec4 b, vec4 c)
     vtkiSplat light = vtkiMakeSplat(0.3f * a3, b3, power, a.w, 0.1f * b.w);
     return vec4(dot(lobe.center - 0.3f * a3, b3), lobe.along, lobe.across, light.across);
   }
-  return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_CAMERA), VTKI_SURFACE_UNLIT);
+  return vec4(VTKI_PI, VTKI_GAMMA, float(VTKI_MAP_FACES), VTKI_SURFACE_UNLIT);
 }
 #endif

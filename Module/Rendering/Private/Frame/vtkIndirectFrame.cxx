@@ -13,7 +13,6 @@
 #include "vtkBoundingBox.h"
 #include "vtkCamera.h"
 #include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"

@@ -6,7 +6,6 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "VirtualLights/vtkIndirectSamplePattern.h"
-#include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 

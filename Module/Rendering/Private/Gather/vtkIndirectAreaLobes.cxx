@@ -10,7 +10,6 @@
 #include "OpenGL/vtkIndirectUniforms.h"
 
 #include <algorithm>
-#include <string>
 
 namespace
 {

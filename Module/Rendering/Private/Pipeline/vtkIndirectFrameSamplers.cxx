@@ -6,7 +6,6 @@
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectReport.h"
-#include "Frame/vtkIndirectRevision.h"
 #include "VirtualLights/vtkIndirectMapSampler.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"

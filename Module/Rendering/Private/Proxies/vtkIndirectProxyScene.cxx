@@ -28,7 +28,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 using vtkIndirectActors::ForEachBlock;
 

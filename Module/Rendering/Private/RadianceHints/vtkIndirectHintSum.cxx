@@ -409,7 +409,6 @@ std::vector<vtkIndirectHintSum::Hint> vtkIndirectHintSum::ReadHints()
   for (size_t i = 0; i < hints.size(); ++i)
   {
     const glm::vec4& place = this->Grid.GetHints()[i];
-    hints[i].Active = place.w > 0.0f;
     std::copy(&place.x, &place.x + 3, hints[i].Position);
     for (int color = 0; color < 3; ++color)
     {

@@ -34,7 +34,6 @@ public:
   struct Hint
   {
     double Position[3];
-    bool Active;
     std::vector<double> Coefficients;
   };
   std::vector<Hint> ReadHints();

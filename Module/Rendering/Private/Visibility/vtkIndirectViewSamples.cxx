@@ -5,7 +5,6 @@
 #include "Frame/vtkIndirectFrame.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {

@@ -8,7 +8,6 @@
 const int VTKI_MAP_PARALLEL = 0; // directional light
 const int VTKI_MAP_SINGLE = 1;   // one perspective face: about a spot's axis, or aimed at the scene
 const int VTKI_MAP_FACES = 2;    // point or wide spot: perspective faces of a cube
-const int VTKI_MAP_CAMERA = 3;   // headlight: the geometry buffer
 
 /* Returns the face of the cube that sees a point given in the light's frame (-z is forward): 0
  * forward, 1 +x, 2 -x, 3 +y, 4 -y, 5 backward, which wide spots lack. */
