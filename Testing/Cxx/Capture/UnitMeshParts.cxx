@@ -86,6 +86,39 @@ int CountOpenEdges(const vtkIndirectMeshParts& parts, int level)
     std::count_if(edges.begin(), edges.end(), [](const auto& edge) { return edge.second != 2; }));
 }
 
+// Counts the levels whose pieces are not the whole level, and the points, with their insets, that
+// lie outside of their piece.
+int CountOutsidePieces(const vtkIndirectMeshParts& parts)
+{
+  int outside = 0;
+  for (const vtkIndirectMeshParts::Part& part : parts.Parts)
+  {
+    for (const vtkIndirectMeshParts::Level& level : part.Levels)
+    {
+      size_t next = level.First;
+      for (size_t k = level.FirstPiece; k < level.FirstPiece + level.NumberOfPieces; ++k)
+      {
+        const vtkIndirectMeshParts::Piece& piece = parts.Pieces[k];
+        outside += piece.First == next ? 0 : 1;
+        next = piece.First + piece.Count;
+        for (size_t i = piece.First; i < next; ++i)
+        {
+          const float* p = &parts.Points[vtkIndirectMeshParts::FloatsOfPoint * parts.Indices[i]];
+          for (size_t axis = 0; axis < 3; ++axis)
+          {
+            const double at = parts.Middle[static_cast<int>(axis)] + p[axis];
+            const double inset = std::abs(p[3 + axis]);
+            const double* bounds = &piece.Bounds[2 * axis];
+            outside += at - inset < bounds[0] || at + inset > bounds[1] ? 1 : 0;
+          }
+        }
+      }
+      outside += next == level.First + level.Count ? 0 : 1;
+    }
+  }
+  return outside;
+}
+
 // Counts the sets of triangles that share points.
 int CountPieces(const vtkIndirectMeshParts& parts, size_t level)
 {
@@ -149,6 +182,7 @@ VTK_INDIRECT_TEST(MeshPartsOfARing)
     }
   }
   CheckEqual("levels with a wrong error", wrong, 0);
+  CheckEqual("levels or points outside of their pieces", CountOutsidePieces(*parts), 0);
   // 0.42 measured: means of curved pieces lie inside, by less than corners of facets.
   Check("points are as near as the error says", mostOverError < 1.0, std::to_string(mostOverError));
   Check("insets reach the surface", mostOverInset <= 0.0, std::to_string(mostOverInset));

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/gtc/type_ptr.hpp>
 #include <limits>
 
 namespace
@@ -18,6 +19,10 @@ using Triangle = vtkIndirectMeshParts::Triangle;
 // sees more finely, and has more points at borders, which no level joins.
 constexpr double TrianglesOfPart = 4000.0;
 constexpr int MostPartsAlongAxis = 6;
+
+// A piece has about as many triangles: with fewer, views spend more time on finding what they see.
+constexpr double TrianglesOfPiece = 128.0;
+constexpr int MostPiecesAlongAxis = 4;
 
 // Cells of the first level hold the points of about four triangles; those of each further level
 // have twice the width.
@@ -121,6 +126,10 @@ public:
       std::reverse(part.Levels.begin(), part.Levels.end());
     }
     this->Made->NumberOfLevels = this->Made->Parts.front().Levels.size();
+    if (this->Made->NumberOfLevels > 1)
+    {
+      this->DivideLevels();
+    }
     return this->Made->NumberOfLevels > 1 ? std::move(this->Made) : nullptr;
   }
 
@@ -367,6 +376,17 @@ private:
     return count;
   }
 
+  void DivideLevels()
+  {
+    for (vtkIndirectMeshParts::Part& part : this->Made->Parts)
+    {
+      for (vtkIndirectMeshParts::Level& level : part.Levels)
+      {
+        this->Made->Divide(level);
+      }
+    }
+  }
+
   // Removes the level that was added last.
   void RemoveLevel()
   {
@@ -395,6 +415,66 @@ std::unique_ptr<vtkIndirectMeshParts> vtkIndirectMeshParts::Make(
     return nullptr;
   }
   return Maker(std::move(points), std::move(triangles)).Make();
+}
+
+//------------------------------------------------------------------------------
+// The pieces are the cells of a grid over the level. Within a piece the triangles keep their order,
+// in which neighbours follow each other, so that OpenGL transforms few points twice.
+void vtkIndirectMeshParts::Divide(Level& level)
+{
+  const auto place = [this](size_t i)
+  { return glm::dvec3(glm::make_vec3(&this->Points[FloatsOfPoint * this->Indices[i]])); };
+  const auto inset = [this](size_t i)
+  { return glm::dvec3(glm::make_vec3(&this->Points[FloatsOfPoint * this->Indices[i] + 3])); };
+  const double number = std::sqrt(static_cast<double>(level.Count) / 3.0 / TrianglesOfPiece / 3.0);
+  const double along = std::min(std::max(std::round(number), 1.0), 1.0 * MostPiecesAlongAxis);
+  glm::dvec3 low(std::numeric_limits<double>::max());
+  glm::dvec3 high = -low;
+  for (size_t i = level.First; i < level.First + level.Count; ++i)
+  {
+    low = glm::min(low, place(i));
+    high = glm::max(high, place(i));
+  }
+  const glm::dvec3 extent = high - low;
+  const double width = std::max({ extent.x, extent.y, extent.z }) / along;
+  std::vector<std::pair<int, Triangle>> sorted;
+  sorted.reserve(level.Count / 3);
+  for (size_t i = level.First; i < level.First + level.Count; i += 3)
+  {
+    const glm::dvec3 middle = (place(i) + place(i + 1) + place(i + 2)) / 3.0;
+    const glm::ivec3 cell(width > 0.0 ? (middle - low) / width : glm::dvec3(0.0));
+    sorted.emplace_back(
+      (cell.z * (MostPiecesAlongAxis + 1) + cell.y) * (MostPiecesAlongAxis + 1) + cell.x,
+      Triangle{ this->Indices[i], this->Indices[i + 1], this->Indices[i + 2] });
+  }
+  std::stable_sort(
+    sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  level.FirstPiece = this->Pieces.size();
+  for (size_t k = 0; k < sorted.size(); ++k)
+  {
+    const size_t first = level.First + 3 * k;
+    if (k == 0 || sorted[k].first != sorted[k - 1].first)
+    {
+      const double most = std::numeric_limits<double>::max();
+      this->Pieces.push_back({ first, 0, { most, -most, most, -most, most, -most } });
+    }
+    Piece& piece = this->Pieces.back();
+    std::copy(sorted[k].second.begin(), sorted[k].second.end(),
+      this->Indices.begin() + static_cast<std::ptrdiff_t>(first));
+    piece.Count += 3;
+    for (size_t i = first; i < first + 3; ++i)
+    {
+      const glm::dvec3 p = this->Middle + place(i);
+      const glm::dvec3 away = glm::abs(inset(i));
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        double* bounds = &piece.Bounds[static_cast<size_t>(2 * axis)];
+        bounds[0] = std::min(bounds[0], p[axis] - away[axis]);
+        bounds[1] = std::max(bounds[1], p[axis] + away[axis]);
+      }
+    }
+  }
+  level.NumberOfPieces = this->Pieces.size() - level.FirstPiece;
 }
 
 //------------------------------------------------------------------------------

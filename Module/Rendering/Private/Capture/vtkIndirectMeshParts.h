@@ -28,6 +28,15 @@ struct vtkIndirectMeshParts
     size_t First = 0; // of the indices
     size_t Count = 0;
     double Error = 0.0; // distance from the mesh, in its units
+    size_t FirstPiece = 0;
+    size_t NumberOfPieces = 0; // 0: views that see the part draw the whole level
+  };
+  /** This is a compact share of a level's triangles; views draw those pieces that they see. */
+  struct Piece
+  {
+    size_t First = 0; // of the indices
+    size_t Count = 0;
+    std::array<double, 6> Bounds{}; // with the insets, in the mesh's coordinates
   };
   struct Part
   {
@@ -47,6 +56,7 @@ struct vtkIndirectMeshParts
   size_t NumberOfLevels = 0;
   bool HasInsets = false; // false: levels are drawn farther by their errors
   std::vector<Part> Parts;
+  std::vector<Piece> Pieces; // of a level one after the other
   vtkSmartPointer<vtkOpenGLBufferObject> PointBuffer;
   vtkSmartPointer<vtkOpenGLBufferObject> IndexBuffer;
 
@@ -64,11 +74,14 @@ struct vtkIndirectMeshParts
   static std::unique_ptr<vtkIndirectMeshParts> Make(
     vtkPolyData* mesh, std::vector<Triangle> triangles);
 
+  /** Sorts a level's triangles into pieces. */
+  void Divide(Level& level);
   /** Adds a point without an inset. Returns its number. */
   unsigned int AddPoint(const glm::dvec3& p);
   size_t CountPoints() const { return this->Points.size() / FloatsOfPoint; }
   size_t GetBytes() const
   {
-    return this->Points.size() * sizeof(float) + this->Indices.size() * sizeof(unsigned int);
+    return this->Points.size() * sizeof(float) + this->Indices.size() * sizeof(unsigned int) +
+      this->Pieces.size() * sizeof(Piece);
   }
 };

@@ -11,6 +11,8 @@
 
 namespace
 {
+constexpr unsigned int NotAsked = ~0u;
+
 // Returns a bound of the factor from lengths in a prop's mesh to world units, the factor itself for
 // a matrix that shears nothing: by Gershgorin's circles of the squares of its singular values.
 double FindScale(vtkProp* prop)
@@ -30,33 +32,77 @@ double FindScale(vtkProp* prop)
 //------------------------------------------------------------------------------
 vtkIndirectPartViews::vtkIndirectPartViews(const vtkIndirectMeshParts& parts, vtkProp* prop)
   : Parts(parts)
+  , ToWorld(vtkIndirectFrame::ToGLM(prop->GetMatrix()))
   , Scale(FindScale(prop))
   , Seen(parts.Parts.size(), 0)
   , Levels(parts.NumberOfLevels)
 {
-  const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(prop->GetMatrix());
   for (const vtkIndirectMeshParts::Part& part : parts.Parts)
   {
-    glm::dvec3 low(std::numeric_limits<double>::max());
-    glm::dvec3 high = -low;
-    for (int i = 0; i < 8; ++i)
-    {
-      const glm::dvec3 corner(
-        toWorld * glm::dvec4(vtkIndirectFrame::GetCorner(part.Bounds.data(), i), 1.0));
-      low = glm::min(low, corner);
-      high = glm::max(high, corner);
-    }
-    this->Bounds.push_back({ low.x, high.x, low.y, high.y, low.z, high.z });
+    this->Bounds.push_back(this->ToWorldBounds(part.Bounds));
   }
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectPartViews::Bounds6 vtkIndirectPartViews::ToWorldBounds(const Bounds6& bounds) const
+{
+  glm::dvec3 low(std::numeric_limits<double>::max());
+  glm::dvec3 high = -low;
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec3 corner(
+      this->ToWorld * glm::dvec4(vtkIndirectFrame::GetCorner(bounds.data(), i), 1.0));
+    low = glm::min(low, corner);
+    high = glm::max(high, corner);
+  }
+  return { low.x, high.x, low.y, high.y, low.z, high.z };
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectPartViews::SetTile(
   const vtkIndirectFrame& frame, const vtkIndirectDepthTile& tile, int texels)
 {
+  this->Tile = &tile;
+  this->Texels = texels;
+  this->SeenPieces.assign(this->Parts.Pieces.size(), NotAsked);
   for (size_t i = 0; i < this->Seen.size(); ++i)
   {
     this->Seen[i] = tile.FindViews(frame, this->Bounds[i].data(), texels);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Adds the pieces of a part's level that a view sees.
+void vtkIndirectPartViews::AddPieces(
+  const vtkIndirectFrame& frame, const vtkIndirectMeshParts::Part& part, size_t level, int view)
+{
+  std::vector<vtkIndirectMeshParts::Level>& ranges = this->Levels[level];
+  vtkIndirectMeshParts::Level range = part.Levels[level];
+  range.Count = 0;
+  for (size_t k = 0; k < part.Levels[level].NumberOfPieces; ++k)
+  {
+    const size_t number = part.Levels[level].FirstPiece + k;
+    const vtkIndirectMeshParts::Piece& piece = this->Parts.Pieces[number];
+    unsigned int& seen = this->SeenPieces[number];
+    if (seen == NotAsked)
+    {
+      seen = this->Tile->FindViews(frame, this->ToWorldBounds(piece.Bounds).data(), this->Texels);
+    }
+    if (((seen >> view) & 1u) == 0)
+    {
+      continue;
+    }
+    if (range.Count > 0 && range.First + range.Count != piece.First)
+    {
+      ranges.push_back(range);
+      range.Count = 0;
+    }
+    range.First = range.Count > 0 ? range.First : piece.First;
+    range.Count += piece.Count;
+  }
+  if (range.Count > 0)
+  {
+    ranges.push_back(range);
   }
 }
 
@@ -79,8 +125,17 @@ bool vtkIndirectPartViews::Choose(const vtkIndirectFrame& frame, const vtkIndire
       whole = whole || level < 0;
       if (level >= 0)
       {
-        this->Levels[static_cast<size_t>(level)].push_back(
-          this->Parts.Parts[i].Levels[static_cast<size_t>(level)]);
+        const auto chosen = static_cast<size_t>(level);
+        const vtkIndirectMeshParts::Part& part = this->Parts.Parts[i];
+        const bool several = (this->Seen[i] & (this->Seen[i] - 1u)) != 0;
+        if (several && part.Levels[chosen].NumberOfPieces > 1)
+        {
+          this->AddPieces(frame, part, chosen, number);
+        }
+        else
+        {
+          this->Levels[chosen].push_back(part.Levels[chosen]);
+        }
       }
     }
   }

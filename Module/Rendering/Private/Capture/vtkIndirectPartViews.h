@@ -38,8 +38,17 @@ public:
 
 private:
   const vtkIndirectMeshParts& Parts;
+  glm::dmat4 ToWorld;
   double Scale;
   std::vector<std::array<double, 6>> Bounds; // of the parts, in world coordinates
   std::vector<unsigned int> Seen;            // one bit a view for each part
+  std::vector<unsigned int> SeenPieces;      // the same for each piece, once a view has asked
+  const vtkIndirectDepthTile* Tile = nullptr;
+  int Texels = 0;                                               // of the tile
   std::vector<std::vector<vtkIndirectMeshParts::Level>> Levels; // of each level
+
+  using Bounds6 = std::array<double, 6>;
+  Bounds6 ToWorldBounds(const Bounds6& bounds) const;
+  void AddPieces(
+    const vtkIndirectFrame& frame, const vtkIndirectMeshParts::Part& part, size_t level, int view);
 };
