@@ -45,6 +45,15 @@ public:
   {
     return (mapper->*(&MapperAccess::Primitives))[primitive].IBO;
   }
+  static void SetIndices(
+    vtkOpenGLPolyDataMapper* mapper, int primitive, vtkOpenGLIndexBufferObject* indices)
+  {
+    (mapper->*(&MapperAccess::Primitives))[primitive].IBO = indices;
+  }
+  static bool HasCellData(vtkOpenGLPolyDataMapper* mapper)
+  {
+    return mapper->*(&MapperAccess::HaveCellScalars) || mapper->*(&MapperAccess::HaveCellNormals);
+  }
   static constexpr int Kinds[2] = { PrimitiveTris, PrimitiveTriStrips };
 };
 
@@ -179,6 +188,31 @@ std::vector<vtkIndirectMeshParts::Triangle> vtkIndirectDepthDrawer::ReadTriangle
     }
   }
   return triangles;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectDepthDrawer::IndexBuffers vtkIndirectDepthDrawer::GetIndices(vtkProp* prop)
+{
+  vtkOpenGLPolyDataMapper* mapper = FindMapper(prop);
+  return { MapperAccess::GetIndices(mapper, MapperAccess::Kinds[0]),
+    MapperAccess::GetIndices(mapper, MapperAccess::Kinds[1]) };
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthDrawer::SetIndices(vtkProp* prop, const IndexBuffers& buffers)
+{
+  vtkOpenGLPolyDataMapper* mapper = FindMapper(prop);
+  for (size_t i = 0; i < buffers.size(); ++i)
+  {
+    MapperAccess::SetIndices(mapper, MapperAccess::Kinds[i], buffers[i]);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectDepthDrawer::NumbersTriangles(vtkProp* prop)
+{
+  return MapperAccess::HasCellData(FindMapper(prop)) ||
+    static_cast<vtkActor*>(prop)->GetProperty()->GetEdgeVisibility();
 }
 
 //------------------------------------------------------------------------------

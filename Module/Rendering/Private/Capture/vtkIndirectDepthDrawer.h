@@ -9,9 +9,11 @@
 #include "OpenGL/vtkIndirectResource.h"   // for the base class
 #include "vtkSmartPointer.h"              // for a member
 
+#include <array>       // for buffers
 #include <glm/glm.hpp> // for matrices
 #include <vector>      // for levels
 
+class vtkOpenGLIndexBufferObject;
 class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
@@ -38,6 +40,13 @@ public:
   /** These triangles, by numbers of the mesh's points, or none if the mapper numbers them
    * otherwise. */
   static std::vector<vtkIndirectMeshParts::Triangle> ReadTriangles(vtkProp* prop);
+
+  /** These are the buffers of indices that such a prop's mapper draws polygons and strips from. */
+  using IndexBuffers = std::array<vtkOpenGLIndexBufferObject*, 2>;
+  static IndexBuffers GetIndices(vtkProp* prop);
+  static void SetIndices(vtkProp* prop, const IndexBuffers& buffers);
+  /** Returns true if the shaders of such a prop read what belongs to a triangle's number. */
+  static bool NumbersTriangles(vtkProp* prop);
 
   /** Sets up a prop for which CanDraw is true, or levels of its parts in its place. slopes: true to
    * write vtkiDepthSlope of a parallel map to the first channel. Returns false, after an error, if

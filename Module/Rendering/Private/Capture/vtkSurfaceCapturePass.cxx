@@ -10,6 +10,7 @@
 #include "Capture/vtkIndirectLightConstants.h"
 #include "Capture/vtkIndirectPixelRays.h"
 #include "Capture/vtkIndirectShadowMaps.h"
+#include "Capture/vtkIndirectTexelTriangles.h"
 #include "Capture/vtkIndirectUnclipped.h"
 #include "Capture/vtkIndirectWithin.h"
 #include "Frame/vtkIndirectFrame.h"
@@ -115,6 +116,7 @@ struct vtkSurfaceCapturePass::Internals
     state->vtkglDepthMask(depth ? GL_TRUE : GL_FALSE);
   }
   glm::vec3 MapLight{ 0.0f };
+  vtkIndirectTexelTriangles Triangles;
   vtkIndirectLightConstants LightConstants;
   vtkOpenGLRenderWindow* Window = nullptr;
 
@@ -272,6 +274,7 @@ void vtkSurfaceCapturePass::Detach()
     }
   }
   this->Internal->Attached.clear();
+  this->Internal->Triangles.Clear();
 }
 
 //------------------------------------------------------------------------------
@@ -354,6 +357,7 @@ void vtkSurfaceCapturePass::DrawMap(const vtkIndirectFrame& frame, const vtkIndi
     in.MapLight.z = caster->SendsLight ? 1.0f : 0.0f;
     // Every shader writes depth; colours are undefined without the capture's outputs.
     in.UseMap(false, true);
+    const vtkIndirectTexelTriangles::Scope seen(in.Triangles, frame, view, texels, caster->Prop);
     caster->Prop->RenderOpaqueGeometry(frame.Renderer);
   }
   this->EndStage();

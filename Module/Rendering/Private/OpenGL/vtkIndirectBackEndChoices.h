@@ -12,10 +12,11 @@ namespace vtkIndirectBackEndChoices
 {
 enum Choice
 {
-  Compute,  // use of compute shaders
-  Depth,    // transfer of depth to the frame's target framebuffer
-  Grouping, // split texels in one invocation of multiresolution splatting
-  Uniforms, // form of fragment shaders' uniforms
+  Compute,   // use of compute shaders
+  Depth,     // transfer of depth to the frame's target framebuffer
+  Grouping,  // split texels in one invocation of multiresolution splatting
+  Uniforms,  // form of fragment shaders' uniforms
+  Triangles, // triangles that mappers draw into maps of few texels
   NumberOfChoices
 };
 
@@ -39,6 +40,11 @@ enum UniformsValue
 {
   UniformsPlain,
   UniformsFlat
+};
+enum TrianglesValue
+{
+  TrianglesAll,
+  TrianglesOfTexels
 };
 
 /**
