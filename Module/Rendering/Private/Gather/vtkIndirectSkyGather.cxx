@@ -15,6 +15,7 @@
 #include "vtkMath.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -23,14 +24,22 @@ const vtkIndirectChannels SkyChannels = {
     "VTK irradiance" },
 };
 const char* const SumMeaning = "what is seen of the directions asked; what they would give";
+const char* const NearMeaning =
+  "what is hidden of the directions over the square of the distance of what hides";
 const vtkIndirectChannels SkySumChannels = {
   { "sky.sums", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.near", "vtkiSkyNear", NearMeaning, GL_R32F, "-", "their unit" },
 };
 const vtkIndirectChannels StillChannels = {
   { "sky.sums0", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums1", "vtkiSkySums1", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums2", "vtkiSkySums2", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.sums3", "vtkiSkySums3", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.near", "vtkiSkyNear", NearMeaning, GL_RGBA32F, "-", "their unit" },
+};
+const vtkIndirectChannels ShareChannels = {
+  { "sky.shares", "vtkiSkyShares", "visible shares of the sky; how far these are smoothed",
+    GL_RGBA32F, "-", "1; scene units" },
 };
 const vtkIndirectChannels OpenColorChannels = {
   { "sky.openColors", "vtkiOpenColors", "colours of the directions by normals if nothing hid them",
@@ -52,6 +61,15 @@ constexpr int SumBlock = 128;
 constexpr int OwnBlock = 64;
 
 constexpr int StrongTexels = 1024;
+
+// Radius, in parts of the sky, over which visible shares are smoothed: neighbouring directions are
+// two of these apart.
+constexpr double SmoothedParts = 1.5;
+// Largest such radius over the picture's height.
+constexpr float MostSmoothed = 1.0f / 8.0f;
+// Neighbours to either side, along rows and along columns.
+constexpr int StillNeighbors = 6;
+constexpr int MovingNeighbors = 3;
 }
 
 //------------------------------------------------------------------------------
@@ -61,6 +79,7 @@ vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndire
   , Irradiance(this, SkyChannels, false)
   , Sums{ { this, StillChannels, false }, { this, SkySumChannels, false } }
   , Rows(this, SkySumChannels, false)
+  , Shares{ { this, ShareChannels, false }, { this, ShareChannels, false } }
   , OpenSky(this, OpenSkyChannels, false)
   , Open(this, SkyChannels, false)
   , OpenColors(this, OpenColorChannels, false)
@@ -298,6 +317,8 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   if (!this->Irradiance.Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
     !this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) ||
     (step > 1 && !this->Rows.Resize(frame.Window, frame.Size[0], frame.Size[1])) ||
+    !this->Shares[0].Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
+    !this->Shares[1].Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
     !this->UpdateOpenSky(input))
   {
     return false;
@@ -313,7 +334,7 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   else
   {
     done = done && this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
-      this->FilterColumns(input);
+      this->FilterColumns(input) && this->Smooth(input);
   }
   done = done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
   if (!input.Plan.Catches)
@@ -415,6 +436,7 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
     {
       this->Activate(input, nullptr, program);
       sums.Activate(0, program);
+      sums.Activate(1, program);
       program->SetUniform2i("vtkiSkyPart", part);
     });
 }
@@ -427,7 +449,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
   kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
-  return kernel.Run(input.Frame.Window, this->Irradiance,
+  return kernel.Run(input.Frame.Window, this->Shares[0],
     [&](const vtkIndirectProgram& program)
     {
       this->Activate(input, group, program);
@@ -438,13 +460,59 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
       this->OpenSky.Activate(0, program);
       vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
       vtkIndirectSetUniform(program, "vtkiSummedFlux", this->SummedFlux);
-      program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
+      program->SetUniformf(
+        "vtkiSkyReach", static_cast<float>(SmoothedParts * this->FindPartAngle(input)));
       if (moving)
       {
         const Terms terms = this->MakeTerms(this->Summed, false);
         this->SetBlock(input, program, *group, terms, 0, OwnBlock);
       }
     });
+}
+
+//------------------------------------------------------------------------------
+// Finds the angle between the middle and the rim of the part of the sky that a direction
+// represents.
+double vtkIndirectSkyGather::FindPartAngle(const Input& input) const
+{
+  // Until all maps have arrived, fewer directions represent the sky.
+  const double there = static_cast<double>(this->Summed.size()) /
+    static_cast<double>(std::max<size_t>(this->Directions.GetOthers().size(), 1));
+  return 2.0 / std::sqrt(input.Plan.NumberOfSkyDirections * there);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::Smooth(const Input& input)
+{
+  const double angle = this->FindPartAngle(input);
+  const int neighbors = !this->Visible ? 0
+    : input.Plan.SkyBlock > 1          ? MovingNeighbors
+                                       : StillNeighbors;
+  for (int k = 0; k < 2; ++k)
+  {
+    vtkIndirectFullScreenProgram& kernel = this->SmoothKernels[k];
+    kernel.SetDefinitions(k == 0 ? "#define VTKI_SKY_ROWS\n" : "");
+    const bool done = kernel.Run(input.Frame.Window, k == 0 ? this->Shares[1] : this->Irradiance,
+      [&](const vtkIndirectProgram& program)
+      {
+        this->Activate(input, nullptr, program);
+        this->Shares[k].Activate(0, program);
+        program->SetUniformi("vtkiSkyNeighbors", neighbors);
+        program->SetUniformf("vtkiSkyTurn", static_cast<float>(1.0 / (angle * angle)));
+        program->SetUniformf("vtkiSkyMost", MostSmoothed * static_cast<float>(input.Frame.Size[1]));
+        if (k == 1)
+        {
+          this->OpenSky.Activate(0, program);
+          vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
+          program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
+        }
+      });
+    if (!done)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -91,13 +91,16 @@ private:
   bool SumOthers(const Input& input);
   bool FilterRows(const Input& input);
   bool FilterColumns(const Input& input);
+  double FindPartAngle(const Input& input) const;
+  bool Smooth(const Input& input);
   bool SumStrong(const Input& input);
   bool SumOpen(const Input& input);
 
   vtkIndirectDepthMaps& DepthMaps;
   vtkIndirectTarget Irradiance;
-  vtkIndirectTarget Sums[2]; // sums of pixels' own directions; of still and moving frames
-  vtkIndirectTarget Rows;    // sums over neighbours in the row
+  vtkIndirectTarget Sums[2];   // sums of pixels' own directions; of still and moving frames
+  vtkIndirectTarget Rows;      // sums over neighbours in the row
+  vtkIndirectTarget Shares[2]; // visible shares of the sky; their means along rows
   vtkIndirectTarget OpenSky;
   vtkIndirectTarget Open;       // Irradiance if nothing hid the sky, for surfaces that catch light
   vtkIndirectTarget OpenColors; // colours of the directions in OpenSky
@@ -118,6 +121,9 @@ private:
   vtkIndirectFullScreenProgram ColumnKernels[2]{ { this, "vtkIndirectSkyFilterFS.glsl" },
     { this, "vtkIndirectSkyFilterFS.glsl" } };
   vtkIndirectFullScreenProgram RowKernel{ this, "vtkIndirectSkyFilterFS.glsl" };
+  // along rows, along columns
+  vtkIndirectFullScreenProgram SmoothKernels[2]{ { this, "vtkIndirectSkySmoothFS.glsl" },
+    { this, "vtkIndirectSkySmoothFS.glsl" } };
   vtkIndirectFullScreenProgram StrongKernel{ this, "vtkIndirectSkyFS.glsl" };
 
   vtkIndirectFullScreenProgram OpenKernel{ this, "vtkIndirectSkyOpenFS.glsl" };

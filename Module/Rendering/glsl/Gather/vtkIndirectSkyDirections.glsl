@@ -24,6 +24,8 @@ struct vtkiSkyDirection
   vec4 light;
   vec4 place;
   float halfTexel; // over the range of depth, squared; infinite for receivers that cast no shadow
+  float nearness;  // sum of the light over the range of depth
+  float least;     // half a texel over the range of depth
 };
 
 #ifdef VTKI_VISIBILITY
@@ -34,11 +36,11 @@ const int vtkiReceiversCast = 1;
 
 vtkiSkyDirection vtkiFetchSkyDirection(int i)
 {
+  float perRange = length(vtkiSkyDepth[i].xyz);
+  float least = 0.5f * sqrt(max(vtkiSkyPlace[i].z, vtkiSkyPlace[i].w));
   return vtkiSkyDirection(
     vtkiSkyRight[i], vtkiSkyUp[i], vtkiSkyDepth[i], vtkiSkyLight[i], vtkiSkyPlace[i],
-    vtkiReceiversCast != 0
-      ? 0.5f * length(vtkiSkyDepth[i].xyz) * sqrt(max(vtkiSkyPlace[i].z, vtkiSkyPlace[i].w))
-      : 1.0e30f);
+    vtkiReceiversCast != 0 ? perRange * least : 1.0e30f, perRange * vtkiSkyLight[i].w, least);
 }
 
 #ifdef VTKI_VISIBILITY
@@ -47,12 +49,15 @@ uniform vec3 vtkiTileShape; // columns and rows of tiles in the atlas, texels al
 
 // Answer of one texel of a direction's tile, see vtkiLookUpParallelTile: 1 if the sky is visible
 // over it, and 1 if it answers. first: the tile's first texel; at: the receiver's place, centre: the
-// texel's, in the tile; slope: of the receiver's plane.
-vec2 vtkiLookUpSky(vec2 first, vec2 at, vec2 centre, float depth, float facing, vec2 slope, float bend)
+// texel's, in the tile; slope: of the receiver's plane; over: depth of what the texel shows before the
+// receiver.
+vec2 vtkiLookUpSky(vec2 first, vec2 at, vec2 centre, float depth, float facing, vec2 slope, float bend,
+  out float over)
 {
   // A look-up at a texel's centre is exact, and in software faster than a fetch.
   float stored = textureLod(vtkiDepthTiles,
     (first + centre) * (1.0f / (vtkiTileShape.xy * vtkiTileShape.z)), 0.0f).r;
+  over = depth - stored;
   // There are no casters beyond the tile's border.
   vec2 beyond = abs(centre - 0.5f * vtkiTileShape.z);
   return vtkiLookUpParallelTile(
@@ -63,9 +68,10 @@ vec2 vtkiLookUpSky(vec2 first, vec2 at, vec2 centre, float depth, float facing, 
 // Irradiance, and in the fourth component its unoccluded sum over the colours. facet: the normal of
 // the receiver's plane. Directions below that plane and above the shading normal's horizon take no
 // part: the curved surface that facets approximate does not hide them. Nor do directions whose tile
-// does not answer: the others represent them.
-vec4 vtkiFromSky(
-  vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet, vtkiCrease crease)
+// does not answer: the others represent them. nearness: what is hidden of the sum over the colours,
+// over the distance of what hides it, is added.
+vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet, vtkiCrease crease,
+  inout float nearness)
 {
   float facing = max(-dot(normal, sky.down.xyz), 0.0f);
 #ifndef VTKI_FILTERED
@@ -79,20 +85,24 @@ vec4 vtkiFromSky(
   vec2 slope = vec2(dot(facet, sky.right.xyz), dot(facet, sky.up.xyz)) * sky.place.zw;
   float open = max(-dot(facet, sky.down.xyz), 0.0f);
   vec2 tile = sky.place.xy;
+  float over;
 #ifdef VTKI_FILTERED
   // Blend of the four nearest texels, which widens the shadow's edge to a texel.
   vec2 first = floor(at - 0.5f) + 0.5f;
   vec2 blend = at - first;
-  vec2 lower = mix(vtkiLookUpSky(tile, at, first, depth, open, slope, sky.halfTexel),
-    vtkiLookUpSky(tile, at, first + vec2(1.0f, 0.0f), depth, open, slope, sky.halfTexel), blend.x);
-  vec2 upper = mix(vtkiLookUpSky(tile, at, first + vec2(0.0f, 1.0f), depth, open, slope, sky.halfTexel),
-    vtkiLookUpSky(tile, at, first + 1.0f, depth, open, slope, sky.halfTexel), blend.x);
+  vec2 lower = mix(vtkiLookUpSky(tile, at, first, depth, open, slope, sky.halfTexel, over),
+    vtkiLookUpSky(tile, at, first + vec2(1.0f, 0.0f), depth, open, slope, sky.halfTexel, over), blend.x);
+  vec2 upper = mix(vtkiLookUpSky(tile, at, first + vec2(0.0f, 1.0f), depth, open, slope, sky.halfTexel, over),
+    vtkiLookUpSky(tile, at, first + 1.0f, depth, open, slope, sky.halfTexel, over), blend.x);
   answer = mix(lower, upper, blend.y);
   answer.x /= max(answer.y, 1.0e-6f);
 #else
-  answer = vtkiLookUpSky(tile, at, floor(at) + 0.5f, depth, open, slope, sky.halfTexel);
+  answer = vtkiLookUpSky(tile, at, floor(at) + 0.5f, depth, open, slope, sky.halfTexel, over);
 #endif
   answer.x = vtkiHidesInCrease(crease, position, -sky.down.xyz) ? 0.0f : answer.x;
+#ifndef VTKI_FILTERED
+  nearness += facing * (answer.y - answer.x) * sky.nearness / max(over, sky.least);
+#endif
 #endif
   return facing * vec4(answer.x * sky.light.rgb, answer.y * sky.light.w);
 }

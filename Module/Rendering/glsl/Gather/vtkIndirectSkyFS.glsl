@@ -33,6 +33,7 @@ void main()
   vtkiCrease crease[VTKI_SKY_PIXELS];
   bool lit[VTKI_SKY_PIXELS];
   vec4 sum[VTKI_SKY_PIXELS];
+  float nearness[VTKI_SKY_PIXELS];
   bool any = false;
   for (int k = 0; k < VTKI_SKY_PIXELS; ++k)
   {
@@ -48,6 +49,7 @@ void main()
     facet[k] = receiver.facet;
     crease[k] = vtkiFetchCrease(pixel);
     sum[k] = vec4(0.0f);
+    nearness[k] = 0.0f;
     any = any || lit[k];
   }
   int count = any ? vtkiSkyCount : 0;
@@ -56,13 +58,19 @@ void main()
     vtkiSkyDirection sky = vtkiFetchSkyDirection(i);
     for (int k = 0; k < VTKI_SKY_PIXELS; ++k)
     {
-      sum[k] += vtkiFromSky(sky, position[k], normal[k], facet[k], crease[k]);
+      sum[k] += vtkiFromSky(sky, position[k], normal[k], facet[k], crease[k], nearness[k]);
     }
   }
   gl_FragData[0] = lit[0] ? sum[0] : vec4(0.0f);
-#if VTKI_SKY_PIXELS > 1
+#if VTKI_SKY_PIXELS == 1
+#ifndef VTKI_FILTERED
+  gl_FragData[1] = vec4(lit[0] ? nearness[0] : 0.0f, 0.0f, 0.0f, 0.0f);
+#endif
+#else
   gl_FragData[1] = lit[1] ? sum[1] : vec4(0.0f);
   gl_FragData[2] = lit[2] ? sum[2] : vec4(0.0f);
   gl_FragData[3] = lit[3] ? sum[3] : vec4(0.0f);
+  gl_FragData[4] = vec4(lit[0] ? nearness[0] : 0.0f, lit[1] ? nearness[1] : 0.0f,
+    lit[2] ? nearness[2] : 0.0f, lit[3] ? nearness[3] : 0.0f);
 #endif
 }

@@ -1,11 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Filters irradiance from the sky: pixels of a block have each summed other directions.
+// Filters the visible share of the sky: pixels of a block have each summed other directions.
 // VTKI_SKY_STEP: edge of the blocks, whose pixels together sum all directions. The filter is a tent
 // of a block's edge to either side, along rows with VTKI_SKY_ROWS, then along columns. Weights of
 // pixels that summed the same directions add up to one, so that each direction's shadow is
 // interpolated between these pixels and no pattern of blocks remains. Neighbours on other surfaces
-// take no part.
+// take no part. Along columns it also finds how far vtkIndirectSkySmoothFS.glsl smooths the share.
 #ifndef VTKI_SKY_STEP
 #define VTKI_SKY_STEP 2
 #define VTKI_SKY_BLOCK 16
@@ -26,6 +26,7 @@ const float VTKI_SKY_COVERAGE = 0.55f;
 #endif
 
 uniform sampler2D vtkiSkySums;
+uniform sampler2D vtkiSkyNear; // what is hidden over the distance of what hides it
 #if VTKI_SKY_STEP == 1
 uniform sampler2D vtkiSkySums1; // other pixels of the squares: right, above, right above
 uniform sampler2D vtkiSkySums2;
@@ -38,7 +39,7 @@ uniform ivec2 vtkiSkyPart; // pixels of a part, which holds the pixels of one pl
 uniform sampler2D vtkiOpenSky;
 uniform vec3 vtkiOpenFlux;     // the odd halves of these, see vtkIndirectLibSky.glsl
 uniform vec3 vtkiSummedFlux;
-uniform float vtkiSkyUnit;
+uniform float vtkiSkyReach; // radius over the distance of what hides the sky
 #endif
 
 #ifdef VTKI_SKY_ROWS
@@ -47,27 +48,34 @@ const int VTKI_AXIS = 0;
 const int VTKI_AXIS = 1;
 #endif
 
-vec4 vtkiFetchSum(ivec2 pixel)
+vec4 vtkiFetchSum(ivec2 pixel, out float nearness)
 {
 #ifdef VTKI_SKY_ROWS
   ivec2 texel = (pixel & (VTKI_SKY_STEP - 1)) * vtkiSkyPart + pixel / VTKI_SKY_STEP;
-  return textureLod(vtkiSkySums, (vec2(texel) + 0.5f) / vec2(VTKI_SKY_STEP * vtkiSkyPart), 0.0f);
+  vec2 at = (vec2(texel) + 0.5f) / vec2(VTKI_SKY_STEP * vtkiSkyPart);
+  nearness = textureLod(vtkiSkyNear, at, 0.0f).r;
+  return textureLod(vtkiSkySums, at, 0.0f);
 #elif VTKI_SKY_STEP == 1
   // Squares of four pixels, one in each image.
   vec2 at = (vec2(pixel / 2) + 0.5f) / vec2((vtkiSize + 1) / 2);
   vec4 lower = (pixel.x & 1) == 0 ? textureLod(vtkiSkySums, at, 0.0f) : textureLod(vtkiSkySums1, at, 0.0f);
   vec4 upper = (pixel.x & 1) == 0 ? textureLod(vtkiSkySums2, at, 0.0f) : textureLod(vtkiSkySums3, at, 0.0f);
+  vec4 near = textureLod(vtkiSkyNear, at, 0.0f);
+  vec2 row = (pixel.y & 1) == 0 ? near.xy : near.zw;
+  nearness = (pixel.x & 1) == 0 ? row.x : row.y;
   return (pixel.y & 1) == 0 ? lower : upper;
 #else
-  return textureLod(vtkiSkySums, (vec2(pixel) + 0.5f) / vec2(vtkiSize), 0.0f);
+  vec2 at = (vec2(pixel) + 0.5f) / vec2(vtkiSize);
+  nearness = textureLod(vtkiSkyNear, at, 0.0f).r;
+  return textureLod(vtkiSkySums, at, 0.0f);
 #endif
 }
 
 // Returns the sum over the pixel's neighbours along the axis that lie on its surface.
-vec4 vtkiSumAlong(ivec2 pixel, vtkiReceiver receiver)
+vec4 vtkiSumAlong(ivec2 pixel, vtkiReceiver receiver, out float nearness)
 {
 #if VTKI_SKY_STEP == 1
-  return vtkiFetchSum(pixel);
+  return vtkiFetchSum(pixel, nearness);
 #else
   // Height of a neighbour over the receiver's plane: affine in the pixel's offset and in its depth.
   float pixelWidth = 2.0f / float(vtkiSize[VTKI_AXIS]);
@@ -77,6 +85,7 @@ vec4 vtkiSumAlong(ivec2 pixel, vtkiReceiver receiver)
   float directionStep = dot(receiver.facetVC, vtkiRayDirection[VTKI_AXIS]) * pixelWidth;
   float tolerance = VTKI_INTERPOLATION_DISTANCE * vtkiSampleDistance(receiver.depth);
   vec4 sum = vec4(0.0f);
+  nearness = 0.0f;
   for (int i = 1 - VTKI_SKY_STEP; i < VTKI_SKY_STEP; ++i)
   {
     ivec2 at = pixel;
@@ -89,7 +98,10 @@ vec4 vtkiSumAlong(ivec2 pixel, vtkiReceiver receiver)
     bool same = inside && vtkiSurfaceIsLit(surface) && abs(height) <= tolerance &&
       dot(receiver.normalVC, vtkiSurfaceNormal(surface)) >= VTKI_INTERPOLATION_COSINE;
     float weight = 1.0f - abs(float(i)) / float(VTKI_SKY_STEP);
-    sum += same ? weight * vtkiFetchSum(at) : vec4(0.0f);
+    float near;
+    vec4 fetched = vtkiFetchSum(at, near);
+    sum += same ? weight * fetched : vec4(0.0f);
+    nearness += same ? weight * near : 0.0f;
   }
   return sum;
 #endif
@@ -100,9 +112,11 @@ void main()
   ivec2 pixel = ivec2(gl_FragCoord.xy);
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver);
-  vec4 sum = vtkiSumAlong(pixel, receiver);
+  float nearness;
+  vec4 sum = vtkiSumAlong(pixel, receiver, nearness);
 #ifdef VTKI_SKY_ROWS
   gl_FragData[0] = lit ? sum : vec4(0.0f);
+  gl_FragData[1] = vec4(lit ? nearness : 0.0f, 0.0f, 0.0f, 0.0f);
 #else
   vec2 open = textureLod(vtkiOpenSky, vtkiOpenSkyPlace(receiver.normal), 0.0f).rg +
     vec2(dot(vtkiOpenFlux, receiver.normal), dot(vtkiSummedFlux, receiver.normal));
@@ -111,15 +125,21 @@ void main()
   bool covered = !lit || sum.w >=
       VTKI_SKY_COVERAGE * open.g * 0.5f * (1.0f + dot(receiver.normal, receiver.facet));
   vec4 own = vec4(0.0f);
+  float ownNearness = 0.0f;
   vtkiCrease crease = vtkiFetchCrease(pixel);
   int count = covered ? 0 : vtkiSkyCount;
   for (int i = 0; i < count; ++i)
   {
-    own += vtkiFromSky(vtkiFetchSkyDirection(i), receiver.position, receiver.normal, receiver.facet, crease);
+    own += vtkiFromSky(vtkiFetchSkyDirection(i), receiver.position, receiver.normal, receiver.facet, crease,
+      ownNearness);
   }
   sum = covered ? sum : own;
+  nearness = covered ? nearness : ownNearness;
 #endif
-  vec3 irradiance = vtkiSkyUnit * vtkiSkyIrradiance(sum.rgb, sum.w, max(open.r, 0.0f));
-  gl_FragData[0] = vec4(lit ? irradiance : vec3(0.0f), 1.0f);
+  // The mean of the distances of what hides the sky, of which the near ones count most. Nothing ends
+  // the smoothing where nothing hides the sky.
+  float hidden = max(sum.w - sum.r - sum.g - sum.b, 0.0f);
+  float radius = hidden > 1.0e-4f * sum.w ? vtkiSkyReach * hidden / nearness : 1.0e30f;
+  gl_FragData[0] = vec4(vtkiSkyIrradiance(sum.rgb, sum.w, 1.0f), lit ? radius : 0.0f);
 #endif
 }

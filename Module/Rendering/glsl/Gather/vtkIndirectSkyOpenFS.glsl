@@ -29,11 +29,12 @@ void main()
   vec4 sum = vec4(vtkiSkyUnit *
     vtkiSkyIrradiance(colors, colors.r + colors.g + colors.b, max(open, 0.0f)), 0.0f);
   vtkiCrease none = vtkiCrease(vec3(0.0f), 0.0f, 0.0f);
+  float nearness = 0.0f;
   int count = catches ? vtkiSkyCount : 0;
   for (int i = 0; i < count; ++i)
   {
     sum += vtkiFromSky(
-      vtkiFetchSkyDirection(i), receiver.position, receiver.normal, receiver.facet, none);
+      vtkiFetchSkyDirection(i), receiver.position, receiver.normal, receiver.facet, none, nearness);
   }
   gl_FragData[0] = vec4(catches ? sum.rgb : vec3(0.0f), 1.0f);
 }
