@@ -200,8 +200,8 @@ class Cie171(unittest.TestCase):
             self.compare(f"5.8 albedo {albedo}, lx", [found], [exact], 0.02)
 
     def test_5_9_sky_through_an_opening(self) -> None:
-        """The goal is 2 %. The sky's 256 directions are fixed: a small opening draws an image for each,
-        and points lie in these images or between them. 49 % measured."""
+        """The goal is 2 %. The sky's 256 directions are fixed: few of them pass a small opening, and their
+        images of it are smoothed less beside a wall. 34 % measured there, 15 % elsewhere."""
         skies = {
             "overcast": (lambda e: 1 + 4 * np.exp(-0.7 / np.sin(e)), OVERCAST),
             "uniform": (lambda e: np.ones_like(e), UNIFORM),
@@ -211,7 +211,7 @@ class Cie171(unittest.TestCase):
                 renderer = make_room([*walls(HEIGHT, 0.5), floor(0.5), *open_roof(0.5)])
                 image = self.measure(renderer, at, "sky", environment=sky(radiance))
                 found = 100 * along(image, places) / outside(radiance)
-                self.compare(f"5.9 {name} {at}, %", found, exact[at], 0.5)
+                self.compare(f"5.9 {name} {at}, %", found, exact[at], 0.36)
 
 
 if __name__ == "__main__":
