@@ -374,6 +374,8 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   request.DepthOfSamples = request.Delegate == in.DefaultDelegate;
   in.Lighting.Update(renderer, this->Settings, this->Environment);
   request.Environment = in.Lighting.GetEnvironment();
+  request.MostReplaced = in.Lighting.GetMostReplaced();
+  request.Circumstances.EnvironmentTurns = in.Lighting.HasOwnSky();
   // A picture of the delegate alone has the renderer's lights.
   std::optional<vtkIndirectLightScope> lights(std::in_place, renderer, in.Lighting.GetLights());
   request.ReplacedLights = lights->GetReplaced();

@@ -66,23 +66,23 @@ class Choice(unittest.TestCase):
         self.assertIn(why, chosen[1])
 
     def test_nobody_has_placed_lights(self) -> None:
-        self.check(lit_by(), "full", "the headlight that VTK gives it")
-        self.check(lit_by(headlight(Switch=False)), "full", "the headlight that VTK gives it")
+        self.check(lit_by(), "studio", "the headlight that VTK gives it")
+        self.check(lit_by(headlight(Switch=False)), "studio", "the headlight that VTK gives it")
         follow = "follow its camera"
-        self.check(lit_by(headlight()), "full", follow)
-        self.check(lit_by(headlight(), automatic=False), "full", follow)
-        self.check(lit_by(headlight(Intensity=0.5)), "full", follow)
-        self.check(lit_by(headlight(DiffuseColor=(1, 0.5, 0.5))), "full", follow)
-        self.check(lit_by(headlight(), headlight()), "full", follow)
-        self.check(lit_by_kit(), "full", follow)
-        self.check(lit_by_kit(switched_off=2), "full", follow)
+        self.check(lit_by(headlight()), "studio", follow)
+        self.check(lit_by(headlight(), automatic=False), "studio", follow)
+        self.check(lit_by(headlight(Intensity=0.5)), "studio", follow)
+        self.check(lit_by(headlight(DiffuseColor=(1, 0.5, 0.5))), "studio", follow)
+        self.check(lit_by(headlight(), headlight()), "studio", follow)
+        self.check(lit_by_kit(), "studio", follow)
+        self.check(lit_by_kit(switched_off=2), "studio", follow)
         fewer = lit_by_kit()
         fewer.RemoveLight(fewer.GetLights().GetItemAsObject(4))
-        self.check(fewer, "full", follow)
+        self.check(fewer, "studio", follow)
         more = lit_by_kit()
         more.AddLight(headlight())
-        self.check(more, "full", follow)
-        self.check(lit_by(*(camera_light() for _ in range(3))), "full", follow)
+        self.check(more, "studio", follow)
+        self.check(lit_by(*(camera_light() for _ in range(3))), "studio", follow)
 
     def test_somebody_has(self) -> None:
         placed = "somebody has placed"
@@ -105,7 +105,7 @@ class Choice(unittest.TestCase):
 )
 class Enable(unittest.TestCase):
     def test_auto(self) -> None:
-        for renderer, preset in ((lit_by(), "Full"), (lit_by(vtkLight()), "Scene")):
+        for renderer, preset in ((lit_by(), "Studio"), (lit_by(vtkLight()), "Scene")):
             indirect = vtkindirect.enable(renderer)
             self.assertEqual(indirect.GetLighting(), getattr(indirect, preset.upper()))
         indirect = vtkindirect.enable(vtkRenderer(), environment=(1, 1, 1))
@@ -120,7 +120,7 @@ class Enable(unittest.TestCase):
         vtkindirect.enable(renderer, "gather")
         self.assertEqual(indirect.GetLighting(), indirect.STUDIO)
         vtkindirect.enable(renderer, lighting="auto")
-        self.assertEqual(indirect.GetLighting(), indirect.FULL)
+        self.assertEqual(indirect.GetLighting(), indirect.STUDIO)
         # By the property's own name, too.
         vtkindirect.enable(renderer, Lighting="soft")
         self.assertEqual(indirect.GetLighting(), indirect.SOFT)
@@ -169,22 +169,22 @@ class Follows(support.DirectoryTest):
         vtkindirect.enable(scene.renderer)
         scene.render_window.Render()
         report = vtkindirect.report(scene.renderer)
-        self.assertEqual(report["lighting"]["used"], "full")
+        self.assertEqual(report["lighting"]["used"], "studio")
         why = report["lighting"]["why"]
         self.assertEqual(why, "auto: all lights of the renderer follow its camera")
         whats = [entry["what"] for entry in report["modelled"]]
-        self.assertIn("lighting auto: full", whats)
-        self.assertIn("lighting full", whats)
+        self.assertIn("lighting auto: studio", whats)
+        self.assertIn("lighting studio", whats)
         light = vtkLight()
         light.SetPosition(1, 2, 3)
         scene.renderer.AddLight(light)
         scene.render_window.Render()
         report = vtkindirect.report(scene.renderer)
         self.assertEqual(report["lighting"]["used"], "scene")
-        self.assertNotIn("lighting full", [entry["what"] for entry in report["modelled"]])
+        self.assertNotIn("lighting studio", [entry["what"] for entry in report["modelled"]])
         scene.renderer.RemoveLight(light)
         scene.render_window.Render()
-        self.assertEqual(vtkindirect.report(scene.renderer)["lighting"]["used"], "full")
+        self.assertEqual(vtkindirect.report(scene.renderer)["lighting"]["used"], "studio")
         # Values that are set by hand stay.
         indirect = vtkindirect.pass_of(scene.renderer)
         indirect.SetLightingToSoft()
@@ -224,7 +224,7 @@ class Follows(support.DirectoryTest):
         """A turn draws the maps of shadows alone, and the picture does not depend on it."""
         # Bounds of the error of the bounces alone: measured 0.21 and 0.083, of which the walk's
         # noise is a part. Three directions, up to 40 degrees away, stand for a sharp light.
-        for preset, maps, most in (("scene", 5, 0.25), ("full", 1, 0.1)):
+        for preset, maps, most in (("scene", 5, 0.25), ("full", 1, 0.1), ("studio", 0, 0.1)):
             with self.subTest(preset=preset):
                 (_, before), (turned, after) = self.turned(preset, (0, 40))
                 for name in ("tiles_drawn", "walks", "sky_tiles_drawn"):
@@ -246,10 +246,10 @@ class Follows(support.DirectoryTest):
         path = self.write("kit.json", document)
         report = self.directory / "report.json"
         for words, used in (
-            ((), "full"),
+            ((), "studio"),
             (("--lighting", "soft"), "soft"),
             (("--set", "Lighting=gentle"), "gentle"),
-            (("--set", "lighting=auto"), "full"),
+            (("--set", "lighting=auto"), "studio"),
         ):
             with self.subTest(words=words):
                 result = support.command_line_here("render", path, *words, "--report", report)
@@ -275,7 +275,7 @@ class PyVista(unittest.TestCase):
 
         if not vtkindirect.has_display():
             vtkindirect.use_headless()
-        for kind, preset in (("light kit", "FULL"), ("three lights", "FULL"), ("none", "SCENE")):
+        for kind, preset in (("light kit", "STUDIO"), ("three lights", "STUDIO"), ("none", "SCENE")):
             with self.subTest(kind=kind):
                 plotter = pyvista.Plotter(off_screen=True, window_size=(32, 32), lighting=kind)
                 self.addCleanup(plotter.close)
@@ -384,7 +384,7 @@ class White(unittest.TestCase):
         )
         for name, make, camera in shapes:
             for kit in (False, True):
-                for preset in ("full", "soft"):
+                for preset in ("full", "soft", "studio"):
                     with self.subTest(name=name, kit=kit, preset=preset):
                         seen = []
                         for lighting_name in (None, preset):

@@ -409,7 +409,7 @@ class Frames(support.DirectoryTest):
                 for what in expected:
                     self.assertIn(what, ours)
                 none = words[-1] == "none"
-                self.assertEqual("lighting auto: full" in whats, none)
+                self.assertEqual("lighting auto: studio" in whats, none)
         for words, expected in (
             (("--environment", "studoi"), "no name of an environment (did you mean 'studio'?)"),
             (("--sun", "135"), "--sun 135: must be AZIMUTH,ELEVATION in degrees, such as 135,40"),

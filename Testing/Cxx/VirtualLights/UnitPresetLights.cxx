@@ -146,7 +146,11 @@ VTK_INDIRECT_TEST(PresetLightsBall)
       "quadrature by 288 normals");
     for (const auto& [preset, title] : Presets)
     {
-      const vtkIndirectPresetLights presetLights = vtkIndirectPresetLights::Make(preset, lamps);
+      // Without a sky of its own a preset measures nothing: the share is fixed.
+      const vtkIndirectPresetLights presetLights =
+        vtkIndirectPresetLights::Make(preset, lamps, {}, false);
+      CheckEqual(
+        std::string(name) + ", " + title + ", nothing to measure", presetLights.MostReplaced, 0.0);
       const bool gentle = preset == vtkIndirectLightingGentle;
       const bool atViewer = (gentle || preset == vtkIndirectLightingSoft) && lamps.size() == 1 &&
         lamps[0].Direction.z == 1.0;
@@ -158,7 +162,7 @@ VTK_INDIRECT_TEST(PresetLightsBall)
       {
         kept += vtkIndirectPresetLights::GetIrradianceOfBall(fill);
       }
-      // At least: in full and studio the viewer's light has no lobe.
+      // At least: in full the viewer's light has no lobe.
       CheckAtLeast(std::string(name) + ", " + title + ", without shadows",
         kept +
           (1.0 - presetLights.KeyShadow) *
@@ -168,6 +172,16 @@ VTK_INDIRECT_TEST(PresetLightsBall)
       {
         CheckRelative(std::string(name) + ", " + title + ", what is kept", kept,
           (1.0 - rest) * own.GetIrradianceOfBall(), 1e-12, "rounding");
+      }
+      // With a sky of its own the frame measures how much of the lights the sky replaces: all of
+      // them are there, and the sky alone is as bright.
+      const vtkIndirectPresetLights measured = vtkIndirectPresetLights::Make(preset, lamps);
+      const double most = preset == vtkIndirectLightingFull ? 0.0 : gentle ? 0.5 : 1.0;
+      CheckEqual(std::string(name) + ", " + title + ", to measure", measured.MostReplaced, most);
+      if (most > 0.0)
+      {
+        CheckRelative(std::string(name) + ", " + title + ", lights and sky",
+          FindIrradianceOfBall(measured, true), 2.0 * plain, 0.01, why);
       }
     }
   }
@@ -214,14 +228,19 @@ VTK_INDIRECT_TEST(PresetLightsKit)
     { { 0, 1, 0 }, { 0.9, 0.6, 0.3 } }, { { 1, 0, 0 }, { 0.0, 0.1, 0.4 } } };
   const vtkIndirectPresetLights studio =
     vtkIndirectPresetLights::Make(vtkIndirectLightingStudio, kit);
-  CheckEqual("lobes of studio", static_cast<double>(studio.Lobes.size()), 2.0);
+  CheckEqual("lobes of studio", static_cast<double>(studio.Lobes.size()), 3.0);
   CheckEqual("all are kept", static_cast<double>(studio.Fills.size()), 3.0);
-  Check("of what comes from the viewer all is, as no shadow of it is visible",
-    studio.Fills[0].Direction == kit[0].Direction && studio.Fills[0].Color.x > 0.6 * 0.2);
+  for (size_t i = 0; i < kit.size(); ++i)
+  {
+    Check("they are kept as they are",
+      studio.Fills[i].Direction == kit[i].Direction && studio.Fills[i].Color == kit[i].Color);
+  }
   Check("studio has no key", studio.Key.Color == glm::dvec3(0.0));
   const vtkIndirectPresetLights full = vtkIndirectPresetLights::Make(vtkIndirectLightingFull, kit);
   CheckEqual("lobes of full", static_cast<double>(full.Lobes.size()), 1.0);
   CheckEqual("fills of full", static_cast<double>(full.Fills.size()), 2.0);
+  Check("the light from the viewer is sharp, as no shadow of it is visible",
+    full.Fills[0].Direction == kit[0].Direction && full.Fills[0].Color.x > 0.6 * 0.2);
   Check("the brightest is the key", full.Key.Direction == kit[1].Direction);
   CheckRelative("shadows leave of it what is kept of every light",
     (1.0 - full.KeyShadow) * full.Key.Color.x, 0.6 * 0.9, 1e-12, "rounding");
@@ -294,14 +313,14 @@ VTK_INDIRECT_TEST(PresetLightsHeadroom)
     for (const auto& [preset, title] : Presets)
     {
       const double before =
-        vtkIndirectPresetLights::Make(preset, own).GetIrradianceOfBall() / plain;
+        vtkIndirectPresetLights::Make(preset, own, {}, false).GetIrradianceOfBall() / plain;
       double last = before;
       for (const double albedo : { 0.3, 0.6, 0.9, 1.0, -1.0 }) // below 0: data
       {
         const std::string name = std::string(title) + ", " + std::to_string(own.size()) +
           " lights, albedo " + std::to_string(albedo);
-        const vtkIndirectPresetLights presetLights =
-          vtkIndirectPresetLights::Make(preset, own, { std::max(albedo, 0.0), albedo < 0.0 });
+        const vtkIndirectPresetLights presetLights = vtkIndirectPresetLights::Make(
+          preset, own, { std::max(albedo, 0.0), albedo < 0.0 }, false);
         // The last of the renderer's lights is kept by the same share as all others.
         const double kept = presetLights.Fills.back().Color.x / own.back().Color.x;
         const double gain = albedo < 0.0 ? 1.07 : vtkIndirectPresetLights::FindGain(albedo);

@@ -535,7 +535,7 @@ VTK_INDIRECT_TEST(DirectionsAround)
   light.DirectionWC = -glm::normalize(glm::dvec3(0.3, 0.8, -0.5));
   const vtkIndirectEmitters::List turning = { light };
   vtkIndirectEmitters::List emitters;
-  vtkIndirectEmitters::AddDirections(emitters, projection, nullptr, turning);
+  vtkIndirectEmitters::AddDirections(emitters, projection, nullptr, turning, true);
   CheckEqual("all directions, lit or not", static_cast<double>(emitters.size()),
     vtkIndirectEmitters::NumberOfSkyGroups);
   glm::dvec3 facing(0.0);

@@ -430,7 +430,7 @@ def enable(
     where y is up; east is x.
 
     `lighting` is one of "auto", "scene" (the renderer's lights as they are), "soft", "full",
-    "gentle" and "studio". "auto", which a new pass gets, is "full" where nobody has placed lights
+    "gentle" and "studio". "auto", which a new pass gets, is "studio" where nobody has placed lights
     in the scene: where all of the renderer's lights follow its camera, as VTK's headlight, light
     kits and PyVista's three lights do; and "scene" where somebody has placed some or set an
     environment. `report` says which, and why. Beside a sun or an environment of a call "auto"

@@ -15,6 +15,8 @@
 #include "vtkImageData.h"
 #include "vtkTextureObject.h"
 
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 
 // Channels for viewing: names, debug views, PrintSelf and the documentation use this table.
@@ -36,6 +38,13 @@ namespace
 const vtkIndirectChannels ImageChannels = {
   { "image", "vtkiImage", "one channel of the frame", GL_RGBA32F, "world", "world units" },
 };
+const vtkIndirectChannels BlockChannels = {
+  { "balance.sums", "vtkiSums", "light of blocks of pixels", GL_RGBA32F, "-", "VTK radiance" },
+  { "balance.rooms", "vtkiRooms", "strengths that make channels one", GL_RGBA32F, "-", "1" },
+};
+
+// Pixels along an edge of a block.
+constexpr int BlockEdge = 8;
 
 const vtkIndirectShownChannel FrameChannels[] = {
   { "final", "the picture of the opaque props", "VTK radiance", VTKI_CHANNEL_FINAL, 3, 1.0f, 0.0f },
@@ -84,6 +93,8 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
     { this, "vtkIndirectCatchFS.glsl" } };
   vtkIndirectFullScreenProgram DrawChannel{ this, "vtkIndirectChannelFS.glsl" };
   vtkIndirectFullScreenProgram DrawMapChannel{ this, "vtkIndirectMapChannelFS.glsl" };
+  vtkIndirectTarget Blocks{ this, BlockChannels, false };
+  vtkIndirectFullScreenProgram Measure{ this, "vtkIndirectMeasureFS.glsl" };
   vtkIndirectFullScreenProgram Display{ this, "vtkIndirectDisplayFS.glsl" };
   const vtkIndirectShownChannel* Channel = nullptr;
   double Farthest = 1.0; // world units
@@ -118,8 +129,11 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
   static vtkIndirectProgram Use(
     vtkIndirectFullScreenProgram& kernel, const Input& input, const std::string& definitions)
   {
+    const std::string lamps = input.LampsAreReplaceable
+      ? "#define VTKI_LAMPS " + std::to_string(input.Frame.Lights.size()) + "\n"
+      : std::string();
     return kernel.Use(input.Frame.Window,
-      input.Geometry.GetAlbedoDefinitions() + DefineLights(input) + definitions);
+      input.Geometry.GetAlbedoDefinitions() + DefineLights(input) + lamps + definitions);
   }
 
   static void ActivateFrame(const vtkIndirectProgram& program, const Input& input)
@@ -154,6 +168,30 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
     program->SetUniformf(
       "vtkiIndirectScale", input.Lights.empty() ? 0.0f : static_cast<float>(input.IndirectScale));
     vtkIndirectSetUniform(program, "vtkiGreatest", glm::vec3(input.Greatest));
+    if (input.LampsAreReplaceable)
+    {
+      ActivateLamps(program, input);
+    }
+  }
+
+  static void ActivateLamps(const vtkIndirectProgram& program, const Input& input)
+  {
+    const glm::dmat3 toView(input.Frame.WorldToView);
+    std::vector<glm::vec3> directions;
+    std::vector<glm::vec3> colors;
+    for (const vtkIndirectLight& lamp : input.Frame.Lights)
+    {
+      directions.emplace_back(-glm::normalize(toView * lamp.DirectionWC));
+      colors.emplace_back(lamp.Color);
+    }
+    using Row = const float(*)[3];
+    const int count = static_cast<int>(directions.size());
+    program->SetUniform3fv(
+      "vtkiLampDirections", count, reinterpret_cast<Row>(glm::value_ptr(directions[0])));
+    program->SetUniform3fv(
+      "vtkiLampColors", count, reinterpret_cast<Row>(glm::value_ptr(colors[0])));
+    program->SetUniformf("vtkiReplaced", static_cast<float>(input.Balance.Replaced));
+    program->SetUniformf("vtkiStrength", static_cast<float>(input.Balance.Strength));
   }
 };
 
@@ -243,6 +281,40 @@ void vtkIndirectComposite::PrintChannels(std::ostream& os, vtkIndent indent)
     << indent
     << "lights: virtual lights, a row each of three texels: position, area; normal, lobe exponent; "
        "B A, source (world units, 4 components)\n";
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIndirectLightBalance::Block> vtkIndirectComposite::Measure(Input input)
+{
+  Internals& in = *this->Internal;
+  const vtkIndirectFrame& frame = input.Frame;
+  input.Balance = vtkIndirectLightBalance();
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  if (!in.Blocks.Resize(frame.Window, (frame.Size[0] + BlockEdge - 1) / BlockEdge,
+        (frame.Size[1] + BlockEdge - 1) / BlockEdge))
+  {
+    return {};
+  }
+  vtkIndirectProgram program = Internals::Use(in.Measure, input, "");
+  if (!program)
+  {
+    return {};
+  }
+  in.Blocks.Begin();
+  Internals::ActivateFrame(program, input);
+  program->SetUniformi("vtkiBlock", BlockEdge);
+  program->SetUniformf("vtkiUnbounded", static_cast<float>(vtkIndirectLightBalance::Unbounded));
+  in.Measure.Draw();
+  in.Blocks.End();
+  const std::vector<float> sums = in.Blocks.ReadBack(0);
+  const std::vector<float> rooms = in.Blocks.ReadBack(1);
+  std::vector<vtkIndirectLightBalance::Block> blocks;
+  for (size_t i = 0; i < sums.size(); i += 4)
+  {
+    blocks.push_back(
+      { sums[i], sums[i + 1], sums[i + 2], sums[i + 3], { rooms[i], rooms[i + 1] } });
+  }
+  return blocks;
 }
 
 //------------------------------------------------------------------------------

@@ -14,9 +14,10 @@
 
 #pragma once
 
-#include "Frame/vtkIndirectEstimate.h"  // for lists of light
-#include "OpenGL/vtkIndirectResource.h" // for the base class
-#include "vtkIndent.h"                  // for printing
+#include "Composite/vtkIndirectLightBalance.h" // for balances
+#include "Frame/vtkIndirectEstimate.h"         // for lists of light
+#include "OpenGL/vtkIndirectResource.h"        // for the base class
+#include "vtkIndent.h"                         // for printing
 
 #include <functional>  // for other buffers
 #include <glm/glm.hpp> // for colours
@@ -45,6 +46,9 @@ public:
     bool DepthDrawn;   // the bound framebuffer has the depth of the frame's opaque props
     // VTK's light on props that catch light if nothing hid any; null: such props show nothing.
     const vtkIndirectTarget* OpenLit;
+    // The frame's lights are lamps that light of a preset may replace.
+    bool LampsAreReplaceable;
+    vtkIndirectLightBalance Balance; // of lamps that are replaceable
   };
 
   /** Returns the index of a channel of the frame, or -1. */
@@ -55,6 +59,12 @@ public:
   static std::string GetChannelNames();
   /** Prints a line for each channel: name, meaning, unit, number of components. */
   static void PrintChannels(std::ostream& os, vtkIndent indent);
+
+  /**
+   * Measures the input's replaceable lamps and its lights, which have a strength of one here, in
+   * blocks of pixels. Returns no blocks if OpenGL refuses.
+   */
+  std::vector<vtkIndirectLightBalance::Block> Measure(Input input);
 
   /** Draws the frame into the bound framebuffer. */
   bool Composite(const Input& input);

@@ -80,9 +80,9 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
     plan.Senders = NO_SENDERS; // no stage would read their maps
     plan.MapLights.clear();
   }
-  plan.FindTurningLights(frame, settings, estimator, circumstances);
   plan.FindVisibility(settings, estimator);
   plan.FindSky(frame, settings, estimator, circumstances);
+  plan.FindTurningLights(frame, settings, estimator, circumstances);
   plan.FindOtherLights(frame, settings, estimator, circumstances);
   plan.FindCatchers(frame, estimator);
   plan.FindBounces(frame, settings, estimator, circumstances);

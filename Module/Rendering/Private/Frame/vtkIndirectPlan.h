@@ -62,8 +62,9 @@ struct vtkIndirectCircumstances
    * This is the VTK irradiance of a surface in the middle of the scene that faces all area lights.
    */
   double AreaLightIrradiance = 0.0;
-  int VisibleAreaLights = 0; // number of area lights that are visible themselves
-  bool Environment = false;  // light comes from all around
+  int VisibleAreaLights = 0;     // number of area lights that are visible themselves
+  bool Environment = false;      // light comes from all around
+  bool EnvironmentTurns = false; // it turns with the camera
   /**
    * This is the VTK irradiance of a surface that receives all of the environment's light at a right
    * angle.

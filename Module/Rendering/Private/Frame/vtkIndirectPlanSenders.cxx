@@ -73,13 +73,16 @@ void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
 }
 
 //------------------------------------------------------------------------------
-// Finds out whether all lights that surfaces reflect come from far away and turn with the camera.
+// Finds out whether all lights that surfaces reflect come from far away and turn with the camera,
+// or there is only a sky that does.
 // The lights' own maps would give other virtual lights, with other depth maps, in each view.
 void vtkIndirectPlan::FindTurningLights(const vtkIndirectFrame& frame,
   const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
   const vtkIndirectCircumstances& circumstances)
 {
-  this->LightsTurn = this->Senders == MAPS && settings.IndirectScale > 0.0 &&
+  const bool skyTurns =
+    this->Senders == NO_SENDERS && this->SkyBounces && circumstances.EnvironmentTurns;
+  this->LightsTurn = (this->Senders == MAPS || skyTurns) && settings.IndirectScale > 0.0 &&
     estimator.TakesSampler && circumstances.SamplerTakesSenders && !estimator.IsOfPaper &&
     std::all_of(this->MapLights.begin(), this->MapLights.end(),
       [&frame](int place)

@@ -100,7 +100,7 @@ void vtkIndirectLighting::Update(
   {
     this->NumberOfReplaced += light->GetSwitch() ? 1 : 0;
   }
-  this->SetRig(settings.Lighting, CollectLamps(renderer), FindAlbedo(renderer));
+  this->SetRig(settings.Lighting, CollectLamps(renderer), FindAlbedo(renderer), !users);
   this->Turn(renderer);
   if (!users)
   {
@@ -180,10 +180,11 @@ vtkIndirectPresetAlbedo vtkIndirectLighting::FindAlbedo(vtkRenderer* renderer)
 
 //------------------------------------------------------------------------------
 void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectDistantLight>& lamps,
-  const vtkIndirectPresetAlbedo& albedo)
+  const vtkIndirectPresetAlbedo& albedo, bool hasOwnSky)
 {
   vtkIndirectKey key;
-  key.Add("preset", preset).Add("albedo", albedo.Brightest).Add("albedo", albedo.OfData);
+  key.Add("preset", preset).Add("own sky", hasOwnSky);
+  key.Add("albedo", albedo.Brightest).Add("albedo", albedo.OfData);
   for (const vtkIndirectDistantLight& lamp : lamps)
   {
     key.Add("lights", lamp.Direction).Add("lights", lamp.Color);
@@ -192,7 +193,7 @@ void vtkIndirectLighting::SetRig(int preset, const std::vector<vtkIndirectDistan
   {
     return;
   }
-  this->PresetLights = vtkIndirectPresetLights::Make(preset, lamps, albedo);
+  this->PresetLights = vtkIndirectPresetLights::Make(preset, lamps, albedo, hasOwnSky);
 
   // The image is laid out for vtkEnvironmentLight: the middle is ahead, which is -z; the bottom row
   // is first.

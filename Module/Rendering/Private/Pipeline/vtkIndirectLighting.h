@@ -31,6 +31,13 @@ public:
   /** Returns the replacing lights; null: the renderer's own are used. */
   vtkLightCollection* GetLights() const;
   vtkEnvironmentLight* GetEnvironment() const { return this->Environment; }
+  /** Returns true if the environment is the preset's own sky, which turns with the camera. */
+  bool HasOwnSky() const { return this->GetLights() && this->Environment == this->Sky.Get(); }
+  /** Returns vtkIndirectPresetLights::MostReplaced of the lights that replace the renderer's. */
+  double GetMostReplaced() const
+  {
+    return this->GetLights() ? this->PresetLights.MostReplaced : 0.0;
+  }
 
   void AddToReport(vtkIndirectReport& report) const;
 
@@ -41,7 +48,7 @@ private:
   static std::vector<vtkIndirectDistantLight> CollectLamps(vtkRenderer* renderer);
   static vtkIndirectPresetAlbedo FindAlbedo(vtkRenderer* renderer);
   void SetRig(int preset, const std::vector<vtkIndirectDistantLight>& lamps,
-    const vtkIndirectPresetAlbedo& albedo);
+    const vtkIndirectPresetAlbedo& albedo, bool hasOwnSky);
   void AddLight(const vtkIndirectDistantLight& lamp, bool fill);
   void Turn(vtkRenderer* renderer);
 

@@ -244,7 +244,8 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
     vtkIndirectEmitters::List emitters;
     if (sky || this->Plan.LightsTurn)
     {
-      vtkIndirectEmitters::AddDirections(emitters, this->SkyProjection, sky, turning);
+      vtkIndirectEmitters::AddDirections(
+        emitters, this->SkyProjection, sky, turning, this->Plan.LightsTurn);
     }
     if (this->Plan.AreaLightsBounce)
     {
@@ -296,6 +297,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
     }
   }
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
+  this->FindBalance(request.MostReplaced);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());
   if (composed && this->Plan.Antialiasing)
   {
@@ -452,7 +454,24 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
   }
   return { this->Frame, this->Geometry, maps ? &this->Maps : nullptr, lights,
     this->FindGreatestIrradiance(lights), this->Plan.IndirectScale, this->TargetIsClear,
-    this->DepthIsDrawn, this->Plan.Catches ? &this->Catchers.GetOpen() : nullptr };
+    this->DepthIsDrawn, this->Plan.Catches ? &this->Catchers.GetOpen() : nullptr,
+    this->LampsAreReplaceable, this->Balance };
+}
+
+//------------------------------------------------------------------------------
+// Tiles of one picture, and both eyes, have the balance of the first.
+void vtkIndirectPipeline::FindBalance(double mostReplaced)
+{
+  this->LampsAreReplaceable = mostReplaced > 0.0 && !this->Frame.Lights.empty();
+  if (!this->LampsAreReplaceable || !this->Frame.IsFurtherPart())
+  {
+    this->Balance = vtkIndirectLightBalance();
+  }
+  if (this->LampsAreReplaceable && !this->Frame.IsFurtherPart())
+  {
+    this->Balance = vtkIndirectLightBalance::Find(
+      this->Composite.Measure(this->MakeCompositeInput()), mostReplaced);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -62,6 +62,8 @@ public:
     vtkEnvironmentLight* Environment = nullptr;
     /** The renderer's own lights if other lights replace them; else null. */
     vtkLightCollection* ReplacedLights = nullptr;
+    /** The greatest share of the frame's lights that light of a preset may replace; 0: none. */
+    double MostReplaced = 0.0;
     bool DepthOfSamples = false; // props may be drawn once more, for the depth of samples
     bool DepthCleared = false;   // the bound framebuffer's depth is clear: nothing is drawn yet
   };
@@ -142,6 +144,7 @@ private:
   void AppendAreaLights(vtkIndirectKey& key) const;
   void AddCoarseMapsToReport(vtkIndirectReport& report) const;
   bool UpdateSenderMaps();
+  void FindBalance(double mostReplaced);
   vtkIndirectComposite::Input MakeCompositeInput() const;
   glm::dvec3 FindGreatestIrradiance(const std::vector<vtkIndirectContribution>& lights) const;
   bool RenderChannel(const std::string& name);
@@ -163,6 +166,8 @@ private:
   vtkIndirectVisibleLamps VisibleLamps{ this };
   vtkIndirectImageLight ImageLight;
   vtkIndirectComposite Composite{ this };
+  bool LampsAreReplaceable = false; // by light of a preset
+  vtkIndirectLightBalance Balance;
   vtkIndirectAntialiasing Antialiasing{ this };
 
   // This is the data of the last frame.

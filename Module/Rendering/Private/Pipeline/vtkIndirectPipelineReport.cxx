@@ -152,6 +152,14 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
         part.Name, part.Waits ? WhyItWaits : "its computation had an error");
     }
   }
+  if (this->LampsAreReplaceable)
+  {
+    report.Modelled.emplace_back("balance of the preset's light",
+      vtkIndirectReport::Number(this->Balance.Replaced, 3) +
+        " of the diffuse light of lights without shadows is replaced, by light of strength " +
+        vtkIndirectReport::Number(this->Balance.Strength, 3) +
+        ": the most with which the picture is as bright as VTK's and no channel clips");
+  }
   this->DepthMaps.AddToReport(report);
   this->Levels.AddToReport(report);
   if (this->IsInWindow())

@@ -79,7 +79,7 @@ void JoinAlike(vtkIndirectEmitters::List& list, size_t most)
 
 //------------------------------------------------------------------------------
 void vtkIndirectEmitters::AddDirections(List& emitters, vtkIndirectSkyProjection& projection,
-  vtkEnvironmentLight* environment, const List& turning)
+  vtkEnvironmentLight* environment, const List& turning, bool steady)
 {
   const vtkIndirectSkyProjection::Result dark;
   const vtkIndirectSkyProjection::Result& sky = environment ? projection.Find(environment) : dark;
@@ -118,8 +118,7 @@ void vtkIndirectEmitters::AddDirections(List& emitters, vtkIndirectSkyProjection
     }
   }
   std::copy_if(all.begin(), all.end(), std::back_inserter(emitters),
-    [&turning](const vtkIndirectLight& emitter)
-    { return emitter.IsReflected() || !turning.empty(); });
+    [steady](const vtkIndirectLight& emitter) { return emitter.IsReflected() || steady; });
 }
 
 //------------------------------------------------------------------------------

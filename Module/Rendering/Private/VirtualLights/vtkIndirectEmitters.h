@@ -27,10 +27,11 @@ constexpr int NumberOfSkyGroups = 32;
  * needs fewer directions than received light. environment: null if there is no sky.
  *   turning: directional lights that turn with the camera, if there are such. The three
  * directions around a light get its light, so that surfaces that see all three receive what the
- * light gives them. Then groups without light are added, too: they may get light in another view.
+ * light gives them. steady: groups without light are added, too, as they may get light in another
+ * view.
  */
 void AddDirections(List& emitters, vtkIndirectSkyProjection& projection,
-  vtkEnvironmentLight* environment, const List& turning = {});
+  vtkEnvironmentLight* environment, const List& turning = {}, bool steady = false);
 
 /** Largest number of pieces of area lights: each has a map of five faces. */
 constexpr size_t MostPieces = 64;

@@ -118,14 +118,15 @@ void SetSky(
     glm::max((scalar - facing * ((Exponent + 2.0) / (Exponent + 1.0))) / 4.0, glm::dvec3(0.0));
 }
 
-// Makes each lamp a lobe in its direction. A lamp from the viewer stays sharp, because its shadows
-// are not visible.
+// Makes each lamp a lobe in its direction. Beside a sharp key a lamp from the viewer stays sharp,
+// too, because its shadows are not visible.
 void SetLobes(
   vtkIndirectPresetLights& presetLights, const std::vector<vtkIndirectDistantLight>& lamps)
 {
+  const bool sharp = presetLights.Key.Color != glm::dvec3(0.0);
   for (const vtkIndirectDistantLight& lamp : lamps)
   {
-    if (IsHeadlight(lamp))
+    if (sharp && IsHeadlight(lamp))
     {
       presetLights.Fills.push_back(lamp);
     }
@@ -349,8 +350,8 @@ double vtkIndirectPresetLights::FindGain(double albedo)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectPresetLights vtkIndirectPresetLights::Make(
-  int preset, std::vector<vtkIndirectDistantLight> lamps, const vtkIndirectPresetAlbedo& albedo)
+vtkIndirectPresetLights vtkIndirectPresetLights::Make(int preset,
+  std::vector<vtkIndirectDistantLight> lamps, const vtkIndirectPresetAlbedo& albedo, bool hasOwnSky)
 {
   if (lamps.empty())
   {
@@ -387,6 +388,13 @@ vtkIndirectPresetLights vtkIndirectPresetLights::Make(
   presetLights.Ambient = glm::max(presetLights.Ambient, glm::dvec3(Everywhere * plain));
   const double own = presetLights.GetIrradianceOfBall();
   Scale(presetLights, own > 0.0 ? plain / own : 0.0);
+  if (hasOwnSky && preset != vtkIndirectLightingFull)
+  {
+    // The frame measures the share and the strength: vtkIndirectLightBalance.
+    presetLights.MostReplaced = gentle ? 0.5 : 1.0;
+    Keep(presetLights, lamps, 1.0);
+    return presetLights;
+  }
   const Exchange rest =
     FindExchange(balance, (gentle ? 0.5 : 1.0) * (1.0 - balance.Kept), albedo, lamps, presetLights);
   Scale(presetLights, rest.Strength);

@@ -52,6 +52,12 @@ struct vtkIndirectPresetLights
   vtkIndirectDistantLight Key;                // sharp; black: none
   double KeyShadow = 1.0;                     // share of the key that shadows remove
   std::vector<vtkIndirectDistantLight> Fills; // sharp, without shadows
+  /**
+   * This is the greatest share of the fills that the sky may replace, as the frame measures
+   * (vtkIndirectLightBalance); 0: nothing is left to measure, because the sky replaces nothing
+   * more.
+   */
+  double MostReplaced = 0.0;
 
   /** Returns the radiance of the sky: ambient light and lobes. */
   glm::dvec3 GetRadiance(const glm::dvec3& direction) const;
@@ -68,10 +74,11 @@ struct vtkIndirectPresetLights
 
   /**
    * Makes the lights of a preset (vtkIndirectLightingType). lamps: the renderer's own lights that
-   * follow its camera; an empty list means a headlight of strength 1, as VTK makes it.
+   * follow its camera; an empty list means a headlight of strength 1, as VTK makes it. hasOwnSky:
+   * false where another environment has the place of the preset's sky.
    */
   static vtkIndirectPresetLights Make(int preset, std::vector<vtkIndirectDistantLight> lamps,
-    const vtkIndirectPresetAlbedo& albedo = vtkIndirectPresetAlbedo());
+    const vtkIndirectPresetAlbedo& albedo = vtkIndirectPresetAlbedo(), bool hasOwnSky = true);
   /**
    * Returns the light that a cavity of this albedo receives where it receives most, with all
    * bounces, over the light that falls there directly.

@@ -16,6 +16,11 @@ uniform vec3 vtkiGreatest;
 #ifdef VTKI_SPECULAR
 uniform sampler2D vtkiSpecular;
 #endif
+#ifdef VTKI_LAMPS
+uniform float vtkiStrength; // factor of all light: vtkIndirectLightBalance
+#else
+const float vtkiStrength = 1.0f;
+#endif
 
 // Returns light interpolated from samples at every vtkiStep-th pixel. If the cell of pixels between
 // four samples is one surface, this is their bilinear mean; vtkIndirectHintCell.glsl has tested
@@ -49,6 +54,9 @@ void vtkiAddIrradiance(vec2 position, inout vec3 sky, inout vec3 area, inout vec
   vec2 place = position / vec2(vtkiSize);
   VTKI_ADD_IRRADIANCE
   bounce = min(bounce, max(vtkiGreatest - (sky + area), vec3(0.0f)));
+  sky *= vtkiStrength;
+  area *= vtkiStrength;
+  bounce *= vtkiStrength;
 }
 
 // Adds the radiance that receivers reflect specularly, times a scale.
@@ -57,6 +65,7 @@ void vtkiAddRadiance(vec2 position, float scale, inout vec3 radiance)
 #ifdef VTKI_SPECULAR
   vec2 place = position / vec2(vtkiSize);
   vec3 specular = textureLod(vtkiSpecular, place, 0.0f).rgb;
+  scale *= vtkiStrength;
   VTKI_ADD_RADIANCE
 #endif
 }

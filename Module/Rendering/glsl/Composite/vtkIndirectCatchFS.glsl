@@ -5,6 +5,7 @@
 // VTKI_BRIGHTENS the share that is added.
 #include "vtkIndirectAddedLight.glsl"
 #include "vtkIndirectAlbedo.glsl"
+#include "vtkIndirectBalance.glsl"
 #include "vtkIndirectLibColor.glsl"
 #include "vtkIndirectCaught.glsl"
 

@@ -14,6 +14,8 @@ vec3 vtkiFindCaught(vec2 position, vec4 surface, vec3 direct, vec3 albedo, float
     direct = vtkiDecodeGamma(direct);
     openLit = vtkiDecodeGamma(openLit);
   }
+  direct = vtkiKeepLamps(surface, albedo, direct);
+  openLit = vtkiKeepLamps(surface, albedo, openLit);
   vec3 sky = vec3(0.0f);
   vec3 area = vec3(0.0f);
   vec3 bounce = vec3(0.0f);
@@ -24,6 +26,6 @@ vec3 vtkiFindCaught(vec2 position, vec4 surface, vec3 direct, vec3 albedo, float
     VTKI_ADD_OPEN
   }
   vec3 light = direct + albedo * (sky + area + bounce) * scale;
-  vec3 alone = openLit + albedo * open * scale;
+  vec3 alone = openLit + albedo * open * (scale * vtkiStrength);
   return mix(vec3(1.0f), light / max(alone, vec3(1.0e-30f)), greaterThan(alone, vec3(0.0f)));
 }

@@ -3,6 +3,7 @@
 // Copies one channel of the frame as floats, in world units and world coordinates; background 0.
 #include "vtkIndirectAddedLight.glsl"
 #include "vtkIndirectAlbedo.glsl"
+#include "vtkIndirectBalance.glsl"
 #include "vtkIndirectLibChannel.glsl"
 #include "vtkIndirectLibColor.glsl"
 #ifdef VTKI_CATCHES
@@ -21,8 +22,14 @@ void main()
   vec4 surface = texelFetch(vtkiSurface, pixel, 0);
   float kind = vtkiSurfaceKind(surface);
   bool lit = vtkiSurfaceIsLit(surface);
-  vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
   vec3 albedo = lit ? vtkiFetchAlbedo(pixel) : vec3(0.0f);
+  vec3 shaded = texelFetch(vtkiLit, pixel, 0).rgb;
+  vec3 direct = shaded;
+#ifdef VTKI_LAMPS
+  bool encoded = kind == VTKI_SURFACE_ENCODED;
+  direct = vtkiKeepLamps(surface, albedo, encoded ? vtkiDecodeGamma(direct) : direct);
+  direct = encoded ? vtkiEncodeGamma(direct) : direct;
+#endif
   vec3 sky = vec3(0.0f);
   vec3 area = vec3(0.0f);
   vec3 bounce = vec3(0.0f);
@@ -97,7 +104,7 @@ void main()
   else if (vtkiChannel == VTKI_CHANNEL_CAUGHT && catches)
   {
 #ifdef VTKI_CATCHES
-    value = vtkiFindCaught(vec2(pixel) + 0.5f, surface, direct, albedo, vtkiIndirectScale);
+    value = vtkiFindCaught(vec2(pixel) + 0.5f, surface, shaded, albedo, vtkiIndirectScale);
 #else
     value = vec3(1.0f);
 #endif

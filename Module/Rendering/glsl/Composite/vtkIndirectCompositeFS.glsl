@@ -7,6 +7,7 @@
 // encoded; VTKI_CATCHERS: some surfaces catch light.
 #include "vtkIndirectAddedLight.glsl"
 #include "vtkIndirectAlbedo.glsl"
+#include "vtkIndirectBalance.glsl"
 #include "vtkIndirectLibColor.glsl"
 
 #ifndef VTKI_DEPTH_COPIED
@@ -50,10 +51,12 @@ void main()
     vtkiAddIrradiance(position, sky, area, bounce);
     vec3 indirect = albedo * (sky + area + bounce) * (vtkiIndirectScale * lit.a);
     vtkiAddRadiance(position, vtkiIndirectScale * lit.a, indirect);
-#ifdef VTKI_ENCODED
-    float kind = vtkiSurfaceKind(textureLod(vtkiSurface, pixel, 0.0f));
-    lit.rgb = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(lit.rgb) + indirect)
-                                           : lit.rgb + indirect;
+#if defined(VTKI_ENCODED) || defined(VTKI_LAMPS)
+    vec4 surface = textureLod(vtkiSurface, pixel, 0.0f);
+    bool encoded = vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED;
+    vec3 direct = encoded ? vtkiDecodeGamma(lit.rgb) : lit.rgb;
+    direct = vtkiKeepLamps(surface, albedo * lit.a, direct) + indirect;
+    lit.rgb = encoded ? vtkiEncodeGamma(direct) : direct;
 #else
     lit.rgb += indirect;
 #endif
