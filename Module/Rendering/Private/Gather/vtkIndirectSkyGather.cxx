@@ -68,8 +68,8 @@ constexpr double SmoothedParts = 1.5;
 // Largest such radius over the picture's height.
 constexpr float MostSmoothed = 1.0f / 8.0f;
 // Neighbours to either side, along rows and along columns.
-constexpr int StillNeighbors = 6;
-constexpr int MovingNeighbors = 3;
+constexpr int StillNeighbors = 4;
+constexpr int MovingNeighbors = 2;
 }
 
 //------------------------------------------------------------------------------

@@ -73,7 +73,9 @@ void main()
   float stride = max(width / (footprint * float(vtkiSkyNeighbors + 1)), 1.0f);
   vec3 sum = own.rgb;
   float weights = 1.0f;
-  for (int k = 1; k <= vtkiSkyNeighbors; ++k)
+  // Within a pixel's radius nothing is smoothed.
+  int count = lit && width > footprint ? vtkiSkyNeighbors : 0;
+  for (int k = 1; k <= count; ++k)
   {
     int step = int(float(k) * stride + 0.5f);
     vtkiSkyNeighbor a = vtkiFetchNeighbor(pixel, step, receiver, width, ray, footprint);
