@@ -59,11 +59,9 @@ constexpr int SumBlock = 128;
 // Largest number of directions that a pixel without neighbours on its surface looks up by itself;
 // further directions are skipped.
 constexpr int OwnBlock = 64;
-
 constexpr int StrongTexels = 1024;
 
-// Radius, in parts of the sky, over which visible shares are smoothed: neighbouring directions are
-// two of these apart.
+// Radius of the smoothing over that of a direction's part of the sky.
 constexpr double SmoothedParts = 1.5;
 // Largest such radius over the picture's height.
 constexpr float MostSmoothed = 1.0f / 8.0f;
@@ -475,7 +473,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
 // represents.
 double vtkIndirectSkyGather::FindPartAngle(const Input& input) const
 {
-  // Until all maps have arrived, fewer directions represent the sky.
+  // Until all maps are there, fewer directions represent the sky.
   const double there = static_cast<double>(this->Summed.size()) /
     static_cast<double>(std::max<size_t>(this->Directions.GetOthers().size(), 1));
   return 2.0 / std::sqrt(input.Plan.NumberOfSkyDirections * there);

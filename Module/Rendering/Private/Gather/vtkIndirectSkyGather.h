@@ -13,6 +13,9 @@
 // unoccluded sky's irradiance, which is known. So directions that a frame cannot choose in number
 // or place, such as those of neighbours, change the hidden share alone.
 //
+// A direction represents a part of the sky and has the sharp shadow of the part's middle: the share
+// is smoothed over neighbours on the surface, by the part's width at the distance of what hides.
+//
 // A direction with much of the light, such as a sun's, has a finer map and filtered edges of its
 // shadows, at every pixel.
 //
