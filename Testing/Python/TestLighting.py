@@ -8,7 +8,13 @@ from typing import Any
 
 import numpy as np
 from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
-from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkPolyDataMapper, vtkRenderer
+from vtkmodules.vtkRenderingCore import (
+    vtkActor,
+    vtkLight,
+    vtkPolyDataMapper,
+    vtkRenderer,
+    vtkWindowToImageFilter,
+)
 
 import support
 import vtkindirect
@@ -239,6 +245,31 @@ class Follows(support.DirectoryTest):
                 self.assertAlmostEqual(float(turned.mean()), mean, delta=0.05 * mean)
                 error = float(np.sqrt(np.square(turned - walked).mean()))
                 self.assertLess(error, most * mean)
+
+    def test_tiles(self) -> None:
+        """A picture in tiles has one balance: that of the whole picture before it."""
+        renderer = make_room(make_actor(make_ball()), lit=False)
+        lights.add_light_kit(renderer, 0.6)
+        window = windows.render_window((120, 90), offscreen=True)
+        self.addCleanup(window.Finalize)
+        window.AddRenderer(renderer)
+        vtkindirect.enable(renderer, lighting="studio")
+        window.Render()
+
+        def balance() -> str:
+            entries = vtkindirect.report(renderer)["modelled"]
+            (why,) = (entry["why"] for entry in entries if entry["what"].startswith("balance of"))
+            return why
+
+        whole = balance()
+        tiled = vtkWindowToImageFilter()
+        tiled.SetInput(window)
+        tiled.SetScale(3)
+        tiled.Update()
+        self.assertEqual(balance(), whole)
+        renderer.GetActiveCamera().Azimuth(90)
+        window.Render()
+        self.assertNotEqual(balance(), whole)
 
     def test_command_line(self) -> None:
         document = support.small_scene()

@@ -116,6 +116,13 @@ bool vtkIndirectFrame::IsFurtherPart() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectFrame::IsWhole() const
+{
+  const double* tile = this->Window->GetTileViewport();
+  return tile[0] <= 0.0 && tile[1] <= 0.0 && tile[2] >= 1.0 && tile[3] >= 1.0;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectFrame::LeaveOut(vtkProp* prop, const std::string& why)
 {
   const std::string what = prop->GetClassName();

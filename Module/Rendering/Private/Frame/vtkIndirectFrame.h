@@ -174,6 +174,8 @@ struct vtkIndirectFrame
    * first part.
    */
   bool IsFurtherPart() const;
+  /** Returns true if the frame shows all that the camera sees, and not a tile of the picture. */
+  bool IsWhole() const;
 
   /** Returns one of the eight corners of bounds; the corners 0 and 7 are the lower and upper one.
    */

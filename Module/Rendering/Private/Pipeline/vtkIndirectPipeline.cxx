@@ -459,16 +459,21 @@ vtkIndirectComposite::Input vtkIndirectPipeline::MakeCompositeInput() const
 }
 
 //------------------------------------------------------------------------------
-// Tiles of one picture, and both eyes, have the balance of the first.
+// Tiles have the balance of the last whole picture, or else of the first tile, and the right eye
+// that of the left.
 void vtkIndirectPipeline::FindBalance(double mostReplaced)
 {
   this->LampsAreReplaceable = mostReplaced > 0.0 && !this->Frame.Lights.empty();
-  if (!this->LampsAreReplaceable || !this->Frame.IsFurtherPart())
+  if (!this->LampsAreReplaceable)
   {
+    this->BalanceIsOfWhole = false;
     this->Balance = vtkIndirectLightBalance();
+    return;
   }
-  if (this->LampsAreReplaceable && !this->Frame.IsFurtherPart())
+  const bool whole = this->Frame.IsWhole();
+  if (!this->Frame.IsFurtherPart() && (whole || !this->BalanceIsOfWhole))
   {
+    this->BalanceIsOfWhole = whole;
     this->Balance = vtkIndirectLightBalance::Find(
       this->Composite.Measure(this->MakeCompositeInput()), mostReplaced);
   }

@@ -168,6 +168,7 @@ private:
   vtkIndirectComposite Composite{ this };
   bool LampsAreReplaceable = false; // by light of a preset
   vtkIndirectLightBalance Balance;
+  bool BalanceIsOfWhole = false; // the last whole picture had it
   vtkIndirectAntialiasing Antialiasing{ this };
 
   // This is the data of the last frame.
