@@ -11,12 +11,18 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkP
 from .parts import BLUE, change, change_alone, make_halves, make_mesh, make_sheet, make_table, write
 
 
-@change_alone
-def plane_origin():
-    prop = make_actor(make_ball())
+def make_plane():
+    """Return a plane that cuts a ball in halves."""
     plane = vtkPlane()
     plane.SetOrigin(0, 0.5, 0)
     plane.SetNormal(1, 0, 0)
+    return plane
+
+
+@change_alone
+def plane_origin():
+    prop = make_actor(make_ball())
+    plane = make_plane()
     prop.GetMapper().AddClippingPlane(plane)
     return prop, lambda: plane.SetOrigin(0.3, 0.5, 0)
 
@@ -85,14 +91,7 @@ def scalars_in_place():
 
 @change_alone
 def points_in_place():
-    ball = make_ball()
-    ball.Update()
-    mesh = ball.GetOutput()
-    prop = vtkActor()
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputData(mesh)
-    prop.SetMapper(mapper)
-    prop.GetProperty().SetColor(*RED)
+    prop, mesh = make_mesh()
 
     def shrink() -> None:
         points = vtk_to_numpy(mesh.GetPoints().GetData())
@@ -157,9 +156,7 @@ def mapper_older():
 @change
 def plane_added():
     prop = make_actor(make_ball())
-    plane = vtkPlane()
-    plane.SetOrigin(0, 0.5, 0)
-    plane.SetNormal(1, 0, 0)
+    plane = make_plane()
     return prop, lambda: prop.GetMapper().AddClippingPlane(plane)
 
 

@@ -99,36 +99,37 @@ def user_matrix_removed():
     return prop, lambda: prop.SetUserMatrix(None)
 
 
+def make_group(kind):
+    """Return an assembly of a small ball, and the ball."""
+    prop = kind()
+    part = make_actor(make_ball(0.2))
+    prop.AddPart(part)
+    return prop, part
+
+
 @change
 def assembly_moved():
-    prop = vtkAssembly()
-    prop.AddPart(make_actor(make_ball(0.2)))
+    prop, _ = make_group(vtkAssembly)
     return prop, lambda: prop.SetPosition(0.4, 0, 0)
 
 
 @change
 def part_moved():
-    prop = vtkAssembly()
-    part = make_actor(make_ball(0.2))
-    prop.AddPart(part)
+    prop, part = make_group(vtkAssembly)
     return prop, lambda: part.SetPosition(0.4, 0, 0)
 
 
 @change
 def part_of_a_part_moved():
     prop = vtkAssembly()
-    inner = vtkAssembly()
-    part = make_actor(make_ball(0.2))
-    inner.AddPart(part)
+    inner, _ = make_group(vtkAssembly)
     prop.AddPart(inner)
     return prop, lambda: inner.SetPosition(0.4, 0, 0)
 
 
 @change
 def part_of_a_group_moved():
-    prop = vtkPropAssembly()
-    part = make_actor(make_ball(0.2))
-    prop.AddPart(part)
+    prop, part = make_group(vtkPropAssembly)
     return prop, lambda: part.SetPosition(0.4, 0, 0)
 
 
