@@ -16,7 +16,7 @@ using Balance = vtkIndirectLightBalance;
 // Returns blocks of one pixel each, whose brightest channel is the mean of all.
 Balance::Block MakeBlock(double plain, double lamps, double own)
 {
-  return { plain, lamps, own, 1.0, { (1.0 - plain) / own, (1.0 - plain + lamps) / own } };
+  return { plain, lamps, own, { (1.0 - plain) / own, (1.0 - plain + lamps) / own } };
 }
 
 double FindBrightness(const Balance& balance, const std::vector<Balance::Block>& blocks)
@@ -67,7 +67,7 @@ VTK_INDIRECT_TEST(LightBalance)
   // Without light, or without pixels, VTK's picture stays.
   for (const std::vector<Balance::Block>& none :
     { std::vector<Balance::Block>(), std::vector<Balance::Block>(9),
-      std::vector<Balance::Block>(9, { 0.5, 0.5, 0.0, 1.0, { 1e3, 1e3 } }) })
+      std::vector<Balance::Block>(9, { 0.5, 0.5, 0.0, { 1e3, 1e3 } }) })
   {
     CheckEqual("nothing is replaced", Balance::Find(none, 1.0).Replaced, 0.0);
   }

@@ -132,8 +132,9 @@ struct vtkIndirectComposite::Internals : vtkIndirectResource
     const std::string lamps = input.LampsAreReplaceable
       ? "#define VTKI_LAMPS " + std::to_string(input.Frame.Lights.size()) + "\n"
       : std::string();
+    const char* const encoded = input.Geometry.HasEncoded() ? "#define VTKI_ENCODED\n" : "";
     return kernel.Use(input.Frame.Window,
-      input.Geometry.GetAlbedoDefinitions() + DefineLights(input) + lamps + definitions);
+      input.Geometry.GetAlbedoDefinitions() + DefineLights(input) + lamps + encoded + definitions);
   }
 
   static void ActivateFrame(const vtkIndirectProgram& program, const Input& input)
@@ -311,8 +312,7 @@ std::vector<vtkIndirectLightBalance::Block> vtkIndirectComposite::Measure(Input 
   std::vector<vtkIndirectLightBalance::Block> blocks;
   for (size_t i = 0; i < sums.size(); i += 4)
   {
-    blocks.push_back(
-      { sums[i], sums[i + 1], sums[i + 2], sums[i + 3], { rooms[i], rooms[i + 1] } });
+    blocks.push_back({ sums[i], sums[i + 1], sums[i + 2], { rooms[i], rooms[i + 1] } });
   }
   return blocks;
 }
@@ -337,8 +337,8 @@ bool vtkIndirectComposite::Composite(const Input& input)
         vtkIndirectBackEndChoices::DepthByCopy &&
       input.Geometry.GetTarget().CopyDepth(frame.Origin));
   vtkIndirectProgram program = Internals::Use(kernel, input,
-    std::string(encoded ? "#define VTKI_ENCODED\n" : "") +
-      (copied ? "#define VTKI_DEPTH_COPIED\n" : "") + (catches ? "#define VTKI_CATCHERS\n" : ""));
+    std::string(copied ? "#define VTKI_DEPTH_COPIED\n" : "") +
+      (catches ? "#define VTKI_CATCHERS\n" : ""));
   if (!program)
   {
     return false;
@@ -382,9 +382,8 @@ bool vtkIndirectComposite::Catch(const Input& input)
   for (int brightens = 0; brightens < 2; ++brightens)
   {
     vtkIndirectFullScreenProgram& kernel = this->Internal->Catch[brightens];
-    vtkIndirectProgram program = Internals::Use(kernel, input,
-      std::string(input.Geometry.HasEncoded() ? "#define VTKI_ENCODED\n" : "") +
-        (brightens ? "#define VTKI_BRIGHTENS\n" : ""));
+    vtkIndirectProgram program =
+      Internals::Use(kernel, input, brightens ? "#define VTKI_BRIGHTENS\n" : "");
     if (!program)
     {
       return false;

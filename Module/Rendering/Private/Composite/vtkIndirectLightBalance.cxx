@@ -24,7 +24,7 @@ vtkIndirectLightBalance vtkIndirectLightBalance::Find(const std::vector<Block>& 
   std::vector<const Block*> drawn;
   for (const Block& block : blocks)
   {
-    if (block.Pixels > 0.0)
+    if (block.Plain > 0.0)
     {
       drawn.push_back(&block);
       sum.Plain += block.Plain;

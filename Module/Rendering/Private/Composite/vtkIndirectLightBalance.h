@@ -14,13 +14,15 @@ struct vtkIndirectLightBalance
   double Replaced = 0.0; // share of the lamps' diffuse light
   double Strength = 1.0; // factor of the own light
 
-  /** This is a block of pixels: sums over its lit pixels of the mean of red, green and blue. */
+  /**
+   * This is a block of pixels: sums of the mean of red, green and blue over its pixels that VTK
+   * does not draw black. Without such pixels it does not count.
+   */
   struct Block
   {
     double Plain = 0.0; // all of VTK's shading, at most 1 a channel
     double Lamps = 0.0; // its part that lamps light diffusely
     double Own = 0.0;   // the own light of strength 1, as surfaces reflect it
-    double Pixels = 0.0;
     // The greatest strengths with which no channel of a pixel exceeds 1, or plain VTK's value if
     // that is more, where none and where all of the lamps' light is replaced.
     double Room[2] = { Unbounded, Unbounded };

@@ -1,6 +1,6 @@
 // A preset's own light in place of a share of the renderer's lamps: vtkIndirectLightBalance. The
 // lamps are far away, and nothing hides them. VTKI_LAMPS: their number; undefined: VTK's shading
-// stays as it is.
+// stays as it is. VTKI_ENCODED: the frame has pixels of VTK's PBR, which are encoded.
 #include "vtkIndirectLibColor.glsl"
 #include "vtkIndirectLibSurface.glsl"
 
@@ -9,6 +9,26 @@ uniform vec3 vtkiLampDirections[VTKI_LAMPS]; // to the lamps, in view coordinate
 uniform vec3 vtkiLampColors[VTKI_LAMPS];
 uniform float vtkiReplaced;
 #endif
+
+// Returns a colour of VTK's shading as linear light.
+vec3 vtkiDecodeShading(vec4 surface, vec3 color)
+{
+#ifdef VTKI_ENCODED
+  return vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED ? vtkiDecodeGamma(color) : color;
+#else
+  return color;
+#endif
+}
+
+// Returns linear light as the surface's pixels hold it.
+vec3 vtkiEncodeShading(vec4 surface, vec3 light)
+{
+#ifdef VTKI_ENCODED
+  return vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(light) : light;
+#else
+  return light;
+#endif
+}
 
 // Returns the diffuse part of VTK's shading by the lamps. direct: linear.
 vec3 vtkiFindLampLight(vec4 surface, vec3 albedo, vec3 direct)

@@ -9,13 +9,8 @@ vec3 vtkiFindCaught(vec2 position, vec4 surface, vec3 direct, vec3 albedo, float
 {
   vec2 place = position / vec2(vtkiSize);
   vec3 openLit = textureLod(vtkiOpenLit, place, 0.0f).rgb;
-  if (vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED)
-  {
-    direct = vtkiDecodeGamma(direct);
-    openLit = vtkiDecodeGamma(openLit);
-  }
-  direct = vtkiKeepLamps(surface, albedo, direct);
-  openLit = vtkiKeepLamps(surface, albedo, openLit);
+  direct = vtkiKeepLamps(surface, albedo, vtkiDecodeShading(surface, direct));
+  openLit = vtkiKeepLamps(surface, albedo, vtkiDecodeShading(surface, openLit));
   vec3 sky = vec3(0.0f);
   vec3 area = vec3(0.0f);
   vec3 bounce = vec3(0.0f);

@@ -24,12 +24,7 @@ void main()
   bool lit = vtkiSurfaceIsLit(surface);
   vec3 albedo = lit ? vtkiFetchAlbedo(pixel) : vec3(0.0f);
   vec3 shaded = texelFetch(vtkiLit, pixel, 0).rgb;
-  vec3 direct = shaded;
-#ifdef VTKI_LAMPS
-  bool encoded = kind == VTKI_SURFACE_ENCODED;
-  direct = vtkiKeepLamps(surface, albedo, encoded ? vtkiDecodeGamma(direct) : direct);
-  direct = encoded ? vtkiEncodeGamma(direct) : direct;
-#endif
+  vec3 direct = vtkiKeepLamps(surface, albedo, vtkiDecodeShading(surface, shaded));
   vec3 sky = vec3(0.0f);
   vec3 area = vec3(0.0f);
   vec3 bounce = vec3(0.0f);
@@ -54,12 +49,11 @@ void main()
   }
   else if (vtkiChannel == VTKI_CHANNEL_FINAL)
   {
-    value = kind == VTKI_SURFACE_ENCODED ? vtkiEncodeGamma(vtkiDecodeGamma(direct) + indirect)
-                                         : direct + indirect;
+    value = vtkiEncodeShading(surface, direct + indirect);
   }
   else if (vtkiChannel == VTKI_CHANNEL_DIRECT)
   {
-    value = direct;
+    value = vtkiEncodeShading(surface, direct);
   }
   else if (vtkiChannel == VTKI_CHANNEL_INDIRECT)
   {

@@ -53,10 +53,9 @@ void main()
     vtkiAddRadiance(position, vtkiIndirectScale * lit.a, indirect);
 #if defined(VTKI_ENCODED) || defined(VTKI_LAMPS)
     vec4 surface = textureLod(vtkiSurface, pixel, 0.0f);
-    bool encoded = vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED;
-    vec3 direct = encoded ? vtkiDecodeGamma(lit.rgb) : lit.rgb;
-    direct = vtkiKeepLamps(surface, albedo * lit.a, direct) + indirect;
-    lit.rgb = encoded ? vtkiEncodeGamma(direct) : direct;
+    vec3 direct =
+      vtkiKeepLamps(surface, albedo * lit.a, vtkiDecodeShading(surface, lit.rgb));
+    lit.rgb = vtkiEncodeShading(surface, direct + indirect);
 #else
     lit.rgb += indirect;
 #endif

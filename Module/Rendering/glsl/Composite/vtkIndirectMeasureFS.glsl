@@ -2,8 +2,8 @@
 //VTK::Output::Dec
 // Measures blocks of pixels for vtkIndirectLightBalance, a block a fragment, every second pixel of
 // every second row. First output: sums over pixels that VTK does not draw black, of the mean of
-// red, green and blue, of VTK's shading, of its part by lamps and of the preset's own light, and
-// the number of pixels. Second output: the greatest strengths of the own light with which no
+// red, green and blue, of VTK's shading, of its part by lamps and of the preset's own light. Second
+// output: the greatest strengths of the own light with which no
 // channel exceeds MOST, or VTK's value if that is more, where none and where all of the lamps'
 // light is replaced.
 #include "vtkIndirectAddedLight.glsl"
@@ -30,7 +30,7 @@ void main()
 {
   ivec2 first = vtkiBlock * ivec2(gl_FragCoord.xy);
   ivec2 end = min(first + vtkiBlock, vtkiSize);
-  vec4 sums = vec4(0.0f);
+  vec3 sums = vec3(0.0f);
   vec2 room = vec2(vtkiUnbounded);
   for (int y = first.y; y < end.y; y += 2)
   {
@@ -43,11 +43,7 @@ void main()
       {
         continue;
       }
-      vec3 direct = texelFetch(vtkiLit, pixel, 0).rgb;
-      if (vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED)
-      {
-        direct = vtkiDecodeGamma(direct);
-      }
+      vec3 direct = vtkiDecodeShading(surface, texelFetch(vtkiLit, pixel, 0).rgb);
       vec2 position = vec2(pixel) + 0.5f;
       vec3 sky = vec3(0.0f);
       vec3 area = vec3(0.0f);
@@ -57,13 +53,13 @@ void main()
       vtkiAddRadiance(position, 1.0f, own);
       vec3 lamps = vtkiFindLampLight(surface, albedo, direct);
       float mean = findMean(min(direct, vec3(1.0f)));
-      sums += mean > 0.0f ? vec4(mean, findMean(lamps), findMean(own), 1.0f) : vec4(0.0f);
+      sums += mean > 0.0f ? vec3(mean, findMean(lamps), findMean(own)) : vec3(0.0f);
       // A pixel that VTK clips becomes no brighter.
       vec3 left = max(MOST - direct, vec3(0.0f));
       vec3 reflected = max(own, vec3(1.0e-6f));
       room = min(room, vec2(findLeast(left / reflected), findLeast((left + lamps) / reflected)));
     }
   }
-  gl_FragData[0] = sums;
+  gl_FragData[0] = vec4(sums, 0.0f);
   gl_FragData[1] = vec4(room, 0.0f, 0.0f);
 }
