@@ -59,7 +59,7 @@ NOT_RUN = {
     ("Documentation/guide.md", "vtkNew<vtkEnvironmentLight> sky;"): CXX,
     ("Documentation/guide.md", "vtkNew<vtkAreaLight> window;"): CXX,
     ("Documentation/guide.md", "vtkIndirectIlluminationPass::SetLightRadius"): CXX,
-    ("Documentation/guide.md", "pass->SetLightingToFull();"): CXX,
+    ("Documentation/guide.md", "pass->SetLightingToStudio();"): CXX,
     ("Documentation/guide.md", "vtkNew<vtkMultiresolutionSplattingPass>"): CXX,
     ("Documentation/guide.md", "splatting->SetPresetToPaper();"): CXX,
     ("Documentation/guide.md", "vtkNew<vtkInformation> keys;"): CXX,
