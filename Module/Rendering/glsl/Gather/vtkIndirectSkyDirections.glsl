@@ -26,6 +26,7 @@ struct vtkiSkyDirection
   float halfTexel; // over the range of depth, squared; infinite for receivers that cast no shadow
   float nearness;  // sum of the light over the range of depth
   float least;     // half a texel over the range of depth
+  float perRange2; // one over the range of depth, squared
 };
 
 #ifdef VTKI_VISIBILITY
@@ -40,7 +41,7 @@ vtkiSkyDirection vtkiFetchSkyDirection(int i)
   float least = 0.5f * sqrt(max(vtkiSkyPlace[i].z, vtkiSkyPlace[i].w));
   return vtkiSkyDirection(
     vtkiSkyRight[i], vtkiSkyUp[i], vtkiSkyDepth[i], vtkiSkyLight[i], vtkiSkyPlace[i],
-    vtkiReceiversCast != 0 ? perRange * least : 1.0e30f, perRange * vtkiSkyLight[i].w, least);
+    vtkiReceiversCast != 0 ? perRange * least : 1.0e30f, perRange * vtkiSkyLight[i].w, least, perRange * perRange);
 }
 
 #ifdef VTKI_VISIBILITY
@@ -62,6 +63,20 @@ vec2 vtkiLookUpSky(vec2 first, vec2 at, vec2 centre, float depth, float facing, 
   vec2 beyond = abs(centre - 0.5f * vtkiTileShape.z);
   return vtkiLookUpParallelTile(
     max(beyond.x, beyond.y) > 0.5f * vtkiTileShape.z, stored, depth, facing, slope, centre - at, bend);
+}
+
+// Answer in a crease. The other surface hides what lies behind its plane, and nothing before the plane:
+// a texel whose centre lies beyond the crease shows the other surface, which may rise over the receiver.
+// offset: from the receiver to the texel's centre; over: see vtkiLookUpSky.
+vec2 vtkiAnswerInCrease(vec2 answer, vtkiSkyDirection sky, vec3 position, vtkiCrease crease, vec2 offset,
+  float over)
+{
+  float facing = -dot(crease.normal, sky.down.xyz);
+  vec2 slope = vec2(dot(crease.normal, sky.right.xyz), dot(crease.normal, sky.up.xyz)) * sky.place.zw;
+  float height = (dot(crease.normal, position) - crease.plane) * sky.perRange2;
+  bool shows = facing > 0.0f && -over * facing >= height + dot(slope, offset);
+  vec2 other = vec2(shows ? 1.0f : answer.x, shows ? 1.0f : answer.y);
+  return vtkiHidesInCrease(crease, position, -sky.down.xyz) ? vec2(0.0f, 1.0f) : other;
 }
 #endif
 
@@ -96,11 +111,11 @@ vec4 vtkiFromSky(vtkiSkyDirection sky, vec3 position, vec3 normal, vec3 facet, v
     vtkiLookUpSky(tile, at, first + 1.0f, depth, open, slope, sky.halfTexel, over), blend.x);
   answer = mix(lower, upper, blend.y);
   answer.x /= max(answer.y, 1.0e-6f);
-#else
-  answer = vtkiLookUpSky(tile, at, floor(at) + 0.5f, depth, open, slope, sky.halfTexel, over);
-#endif
   answer.x = vtkiHidesInCrease(crease, position, -sky.down.xyz) ? 0.0f : answer.x;
-#ifndef VTKI_FILTERED
+#else
+  vec2 centre = floor(at) + 0.5f;
+  answer = vtkiLookUpSky(tile, at, centre, depth, open, slope, sky.halfTexel, over);
+  answer = vtkiAnswerInCrease(answer, sky, position, crease, centre - at, over);
   nearness += facing * (answer.y - answer.x) * sky.nearness / max(over, sky.least);
 #endif
 #endif
