@@ -370,6 +370,43 @@ class Contact(unittest.TestCase):
             print(f"room: rate {rate}, off by 4 % {rough.sum()} of {rough.size} pixels")
             self.assertLess(rough.sum(), most)
 
+    def test_light_is_even_along_the_creases_and_rims_of_a_tray(self) -> None:
+        # An open tray under the sky: 128 maps of 128 x 128 texels, of which one is as wide as four pixels.
+        walls = [
+            mesh([(s, -t, 0), (s, t, 0), (s, t, 0.8), (s, -t, 0.8)], [[0, 1, 2, 3]])
+            for s, t in ((-1, -1), (1, 1))
+        ] + [
+            mesh([(-t, s, 0), (t, s, 0), (t, s, 0.8), (-t, s, 0.8)], [[0, 1, 2, 3]])
+            for s, t in ((-1, 1), (1, -1))
+        ]
+        floor = mesh([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [[0, 1, 2, 3]])
+        eye, focal = (0, -2, 5), (0, 0, 0.2)
+        scene = Scene(self, [floor, *walls], None, eye, focal, (400, 400), (0, 1, 0))
+        vtkindirect.enable(scene.renderer, lighting="studio", antialiasing=False)
+        self.finish(scene)
+        place = np.nan_to_num(scene.places(), nan=9.0)
+        light = {name: scene.read(name).mean(-1) for name in ("sky", "bounce")}
+        normal = scene.read("normal")
+        faces = [np.abs(normal[..., 2]) > 0.9] + [
+            (np.abs(normal[..., axis]) > 0.9) & (np.abs(place[..., axis] - side) < 0.05)
+            for axis in (0, 1)
+            for side in (-1, 1)
+        ]
+        for name, values in light.items():
+            dark = 0
+            seen = 0
+            for face in faces:
+                # Not in the corners, where light bends within pixels.
+                inner = face & (np.sort(np.abs(place[..., :2]), -1)[..., 0] < 0.9)
+                padded = np.pad(np.where(face, values, np.nan), 3, constant_values=np.nan)
+                around = np.lib.stride_tricks.sliding_window_view(padded, (7, 7))[inner]
+                middle = np.nanmedian(around.reshape(len(around), -1), -1)
+                dark += int((values[inner] < 0.85 * middle).sum())
+                seen += int(inner.sum())
+            print(f"tray, {name}: {dark} of {seen} pixels are darker by 15 % than those around")
+            self.assertGreater(seen, 40000)
+            self.assertLessEqual(dark, 20)
+
     def finish(self, scene: Scene) -> None:
         scene.window.Render()
         for _ in range(40):

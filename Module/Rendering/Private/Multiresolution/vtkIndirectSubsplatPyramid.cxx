@@ -161,11 +161,8 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
         this->Variation->Activate(0, program);
         this->Probe->Activate(1, program);
       }
-      if (first)
-      {
-        input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-      }
-      else
+      input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+      if (!first)
       {
         const vtkIndirectTarget& finer = *this->Levels[number - 2];
         const int size[2] = { finer.GetWidth(), finer.GetHeight() };

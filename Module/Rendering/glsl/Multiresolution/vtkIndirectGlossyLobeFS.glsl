@@ -44,7 +44,7 @@ void main()
   }
   // Lobes of different powers do not represent each other.
   split = split || least < most ||
-    texelFetch(vtkiLevelSurface, texel, 0).w != VTKI_SUBSPLAT_WHOLE;
+    vtkiSubsplatState(texelFetch(vtkiLevelSurface, texel, 0).w) != VTKI_SUBSPLAT_WHOLE;
   gl_FragData[0] = vec4(
     most, most < 0.0f ? VTKI_GLOSSY_NONE : (split ? VTKI_GLOSSY_SPLIT : VTKI_GLOSSY_WHOLE), 0.0f, 1.0f);
 }

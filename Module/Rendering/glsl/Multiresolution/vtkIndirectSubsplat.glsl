@@ -21,6 +21,15 @@ float vtkiDetail(vec2 ndc, vec3 normal)
 }
 #endif
 
+// Returns the centre of a texel's pixel, in pixels. number: see vtkiSubsplatPixel; 0: in the middle.
+vec2 vtkiPixelInTexel(ivec2 texel, float edge, int number)
+{
+  int at = number > 0 ? number - 1 : VTKI_SUBSPLAT_PIXELS / 2 * (VTKI_SUBSPLAT_PIXELS + 1);
+  vec2 step = vec2(ivec2(at % VTKI_SUBSPLAT_PIXELS, at / VTKI_SUBSPLAT_PIXELS));
+  vec2 pixel = floor(edge * (vec2(texel) + step / float(VTKI_SUBSPLAT_PIXELS)));
+  return min(pixel, vec2(vtkiSize - 1)) + 0.5f;
+}
+
 // Returns the width of a pixel on a surface that faces the eye at this depth, scene units.
 float vtkiPixelWidth(float depth)
 {

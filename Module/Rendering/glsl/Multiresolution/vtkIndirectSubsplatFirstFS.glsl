@@ -3,8 +3,6 @@
 // Makes the first level of the pyramid from pixels of the geometry buffer.
 #include "vtkIndirectSubsplatJoin.glsl"
 
-uniform sampler2D vtkiSurface;
-
 #ifndef VTKI_DEPTH_RANGE
 // These are the criteria of a corner: heights over the tangent plane in pixel widths, above
 // rounding and below those of surfaces that only overlap in the view; normals that differ by 41

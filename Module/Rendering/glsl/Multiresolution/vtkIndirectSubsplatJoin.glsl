@@ -13,12 +13,10 @@ uniform sampler2D vtkiProbeSender;    // position of the nearest light in view c
 uniform float vtkiVariationThreshold; // limit of that error on this level
 uniform float vtkiLightingThreshold;  // relative error of interpolation
 #endif
+uniform sampler2D vtkiSurface;      // of pixels
 uniform bool vtkiSplits;           // this level may be split
 uniform bool vtkiLast;             // this level is always split
 uniform float vtkiEdge;            // pixels along the edge of a written texel
-
-// A sample counts as behind a surface by more than this, of its texel's width.
-const float VTKI_BEHIND = 0.02f;
 
 struct vtkiJoin
 {
@@ -34,6 +32,28 @@ struct vtkiJoin
   bool present[4];
   bool split; // the children require it to be split
 };
+
+// Returns the number of the pixel at which a texel is evaluated (vtkiSubsplatPixel): the lit one nearest
+// to the middle where the texel holds several surfaces or its middle shows none, since the plane there
+// goes on beyond the end of the surface; otherwise 0.
+int vtkiFindPixel(ivec2 texel, bool mixed)
+{
+  vec2 middle = vtkiPixelInTexel(texel, vtkiEdge, 0);
+  bool whole = !mixed && vtkiSurfaceIsLit(textureLod(vtkiSurface, middle / vec2(vtkiSize), 0.0f));
+  int count = whole ? 0 : VTKI_SUBSPLAT_PIXELS * VTKI_SUBSPLAT_PIXELS;
+  float least = 1.0e30f;
+  int nearest = 0;
+  for (int i = 1; i <= count; ++i)
+  {
+    vec2 at = vtkiPixelInTexel(texel, vtkiEdge, i);
+    vec2 apart = at - middle;
+    bool nearer = dot(apart, apart) < least &&
+      vtkiSurfaceIsLit(textureLod(vtkiSurface, at / vec2(vtkiSize), 0.0f));
+    least = nearer ? dot(apart, apart) : least;
+    nearest = nearer ? i : nearest;
+  }
+  return nearest;
+}
 
 // Writes the texel: octahedral normal, depth, state; deviation and spread, or the ranges.
 void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
@@ -124,30 +144,20 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
       vtkiLightingThreshold * cosine * cosine;
 #endif
   float depth;
+  int number = vtkiFindPixel(texel, mixed);
   if (mixed)
   {
-    // No plane fits a mixture of surfaces: use that of the nearest child, unless the sample lies
-    // behind another child. In a corner the plane of the wrong child continues behind a wall, where
-    // no light comes. Then the sample lies least behind the others.
-    depth = nearest;
-    float most = -1.0e30f;
-    for (int i = 0; i < 4; ++i)
-    {
-      float own = vtkiPlaneDepth(children.normal[i], children.position[i], origin, direction,
-        -children.position[i].z - width, -children.position[i].z + width);
-      vec3 middle = origin + own * direction;
-      float before = 4.0f * width;
-      for (int j = 0; j < 4; ++j)
-      {
-        float height = dot(children.normal[j], middle - children.position[j]);
-        before = children.present[j] && j != i ? min(before, height) : before;
-      }
-      before = i == first && before > -VTKI_BEHIND * width ? 8.0f * width : before;
-      bool better = children.present[i] && before > most;
-      most = better ? before : most;
-      depth = better ? own : depth;
-      normal = better ? children.normal[i] : normal;
-    }
+    // No plane fits a mixture of surfaces: the sample lies at the pixel, which the eye sees. The plane
+    // of another pixel may continue behind a surface in front, where no light comes.
+    vec2 place = vtkiPixelInTexel(texel, vtkiEdge, number) / vec2(vtkiSize);
+    vec4 surface = textureLod(vtkiSurface, place, 0.0f);
+    bool lit = number > 0;
+    normal = lit ? vtkiSurfaceNormal(surface) : children.normal[first];
+    position = lit ? vtkiReconstruct(2.0f * place - 1.0f, vtkiSurfaceDepth(surface), vtkiRayOrigin,
+                       vtkiRayDirection)
+                   : children.position[first];
+    depth = vtkiPlaneDepth(
+      normal, position, origin, direction, -position.z - width, -position.z + width);
   }
   else
   {
@@ -184,5 +194,6 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
     }
 #endif
   }
-  gl_FragData[0] = vec4(vtkiOctahedralEncode(normal), depth, state);
+  gl_FragData[0] = vec4(
+    vtkiOctahedralEncode(normal), depth, state + float(number) / VTKI_SUBSPLAT_FRACTION);
 }

@@ -15,9 +15,10 @@ bool vtkiFetchLeaf(ivec2 texel, out vec3 position, out vec3 normal, out vec3 fac
   bool leaf = vtkiSurfaceIsLit(surface);
 #else
   vec4 surface = texelFetch(vtkiLevelSurface, inside, 0);
-  vec3 positionVC = vtkiTexelPosition(texel, surface.z);
   vec3 normalVC = vtkiOctahedralDecode(surface.xy);
-  vec3 facetVC = vtkiTexelFacet(inside, normalVC);
+  vec3 positionVC;
+  vec3 facetVC;
+  vtkiFindSample(inside, surface, normalVC, positionVC, facetVC);
   bool leaf = vtkiSubsplatIsSample(surface.w);
 #endif
   position = (vtkiViewToScene * vec4(positionVC, 1.0f)).xyz;

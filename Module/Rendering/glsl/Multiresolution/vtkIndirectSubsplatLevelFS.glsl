@@ -12,7 +12,8 @@ void main()
 {
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vec4 surface = texelFetch(vtkiLevelSurface, texel, 0);
-  bool covered = texelFetch(vtkiCoarserSurface, texel >> 1, 0).w == VTKI_SUBSPLAT_WHOLE;
+  float coarser = texelFetch(vtkiCoarserSurface, texel >> 1, 0).w;
+  bool covered = vtkiSubsplatState(coarser) == VTKI_SUBSPLAT_WHOLE;
   bool here = vtkiSubsplatIsSample(surface.w);
   vec3 position = vtkiTexelPosition(texel, surface.z);
   vec3 normal = vtkiOctahedralDecode(surface.xy);
@@ -25,10 +26,17 @@ void main()
 #ifdef VTKI_EVALUATE
   vec3 evaluated;
   vec3 evaluatedVector;
-  vtkiEvaluateStored(position, normal, vtkiTexelFacet(texel, normal), vtkiTexelPixel(texel), leaf, evaluated, evaluatedVector);
+  vec3 samplePosition;
+  vec3 facet;
+  vtkiFindSample(texel, surface, normal, samplePosition, facet);
+  vtkiEvaluateStored(
+    samplePosition, normal, facet, vtkiTexelPixel(texel), leaf, evaluated, evaluatedVector);
   irradiance = leaf ? evaluated : irradiance;
   vectorIrradiance = leaf ? evaluatedVector : vectorIrradiance;
-#elif !defined(VTKI_NEAREST)
+#elif defined(VTKI_NEAREST)
+  // The vector of samples on other surfaces does not tell how light changes with the normal here.
+  vectorIrradiance = interpolated ? vectorIrradiance : vtkiLuminance(irradiance) * normal;
+#else
   irradiance = leaf ? vec3(0.0f) : irradiance;
   vectorIrradiance = leaf ? vec3(0.0f) : vectorIrradiance;
 #endif

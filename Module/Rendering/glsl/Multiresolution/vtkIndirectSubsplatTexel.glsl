@@ -19,18 +19,23 @@ vec3 vtkiTexelPosition(ivec2 texel, float depth)
 // Returns the pixel in a texel's middle.
 ivec2 vtkiTexelPixel(ivec2 texel)
 {
-  return min(ivec2(vtkiEdge * (vec2(texel) + 0.5f)), vtkiSize - 1);
+  return ivec2(vtkiPixelInTexel(texel, vtkiEdge, 0));
 }
 
-// Returns the facet's normal in the middle of a texel, if that is on the texel's surface; levels
-// store only mean normals.
-vec3 vtkiTexelFacet(ivec2 texel, vec3 normalVC)
+// Finds the position and the facet's normal at which a texel is evaluated: on its plane in the middle,
+// or at a pixel, see vtkIndirectSubsplatJoin.glsl. Levels store only mean normals: normalVC.
+void vtkiFindSample(ivec2 texel, vec4 levelSurface, vec3 normalVC, out vec3 positionVC, out vec3 facetVC)
 {
+  int number = vtkiSubsplatPixel(levelSurface.w);
+  vec2 place = vtkiPixelInTexel(texel, vtkiEdge, number) / vec2(vtkiSize);
+  vec4 surface = textureLod(vtkiSurface, place, 0.0f);
   vec2 center = vtkiSubsplatCenter(vec2(texel), vtkiEdge, vec2(vtkiSize));
-  vec4 surface = textureLod(vtkiSurface, 0.5f * center + 0.5f, 0.0f);
+  vec2 ndc = number > 0 ? 2.0f * place - 1.0f : center;
+  float depth = number > 0 ? vtkiSurfaceDepth(surface) : levelSurface.z;
+  positionVC = vtkiReconstruct(ndc, depth, vtkiRayOrigin, vtkiRayDirection);
   bool same = vtkiSurfaceIsLit(surface) &&
     dot(vtkiSurfaceNormal(surface), normalVC) >= VTKI_INTERPOLATION_COSINE;
-  return same ? vtkiSurfaceFacet(surface) : normalVC;
+  facetVC = same ? vtkiSurfaceFacet(surface) : normalVC;
 }
 
 // The sum over the lights as stored; the vector is in view coordinates, as receivers' normals are.
@@ -47,7 +52,8 @@ void vtkiEvaluateStored(
 // Returns true if the texel and its eight neighbours are samples of one surface.
 bool vtkiIsInsideSurface(ivec2 texel, vec4 surface, vec3 position, vec3 normal)
 {
-  bool inside = surface.w == VTKI_SUBSPLAT_WHOLE || surface.w == VTKI_SUBSPLAT_PARTED;
+  float state = vtkiSubsplatState(surface.w);
+  bool inside = state == VTKI_SUBSPLAT_WHOLE || state == VTKI_SUBSPLAT_PARTED;
   vtkiTangentPlane plane =
     vtkiMakeTangentPlane(position, normal, surface.xy, surface.z, vtkiEdge);
   for (int i = 0; i < 9; ++i)

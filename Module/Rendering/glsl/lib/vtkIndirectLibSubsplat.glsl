@@ -4,12 +4,31 @@
 #define vtkIndirectLibSubsplat
 #include "vtkIndirectLibPortable.glsl"
 
-// States of a texel in the pyramid of subsplats.
+// States of a texel in the pyramid of subsplats, multiples of one half. The fraction beyond tells at
+// which pixel the texel is evaluated, see vtkiSubsplatPixel.
 const float VTKI_SUBSPLAT_EMPTY = -1.0f; // no lit surface
 const float VTKI_SUBSPLAT_WHOLE = 0.0f;  // one evaluation represents the texel
 const float VTKI_SUBSPLAT_MIXED = 0.5f;  // several surfaces, but not split
 const float VTKI_SUBSPLAT_SPLIT = 1.0f;  // its four children are evaluated
 const float VTKI_SUBSPLAT_PARTED = 2.0f; // one surface, its four children are evaluated
+
+// A texel is evaluated at one of so many pixels along an edge, at least every second one.
+const int VTKI_SUBSPLAT_PIXELS = 4;
+// The state's fraction is a pixel's number over this.
+const float VTKI_SUBSPLAT_FRACTION = 1024.0f;
+
+/* Returns a texel's state without the fraction. */
+float vtkiSubsplatState(float coded)
+{
+  return 0.5f * floor(2.0f * coded);
+}
+
+/* Returns the number of the pixel at which a texel is evaluated, from 1 along rows; 0: in its middle,
+ * on its plane. */
+int vtkiSubsplatPixel(float coded)
+{
+  return int((coded - vtkiSubsplatState(coded)) * VTKI_SUBSPLAT_FRACTION + 0.5f);
+}
 
 /* Returns true if a texel's four children are evaluated. */
 bool vtkiSubsplatIsSplit(float state)
@@ -21,7 +40,8 @@ bool vtkiSubsplatIsSplit(float state)
  * interpolate with it. */
 bool vtkiSubsplatIsSample(float state)
 {
-  return state != VTKI_SUBSPLAT_EMPTY && state != VTKI_SUBSPLAT_SPLIT;
+  float whole = vtkiSubsplatState(state);
+  return whole != VTKI_SUBSPLAT_EMPTY && whole != VTKI_SUBSPLAT_SPLIT;
 }
 
 // This is the state of a texel's illumination, in its alpha: a bilinear filter of it shows whether
