@@ -81,8 +81,9 @@ def _add_lighting_argument(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--lighting",
         metavar="NAME",
-        help=f"what lights the scene: {', '.join(lighting.NAMES)} (default: auto, which is full "
-        "where all lights follow the camera, else scene)",
+        help=f"what lights the scene: {', '.join(lighting.NAMES)} (default: {lighting.AUTO}, which "
+        f"is {lighting.FOLLOWING} where all lights follow the camera, as those of data files do, else "
+        f"{lighting.SCENE})",
     )
 
 
