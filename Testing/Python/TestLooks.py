@@ -6,6 +6,7 @@ import json
 import re
 import unittest
 from typing import Any
+from unittest import mock
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -22,7 +23,19 @@ from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 from vtkmodules.vtkIOXML import vtkXMLDataSetWriter
 
 import support
-from vtkindirect import UsageError, arrays, bodies, cli, data, load_scene, looks, options
+from vtkindirect import (
+    UsageError,
+    arrays,
+    bodies,
+    cli,
+    data,
+    load_scene,
+    looks,
+    methods,
+    options,
+    viewer,
+    windows,
+)
 
 WHY_NOT = support.why_no_rendering()
 
@@ -320,6 +333,37 @@ class Pictures(DataFile):
             other = picture[39 - where[0], 47 - where[1]]
             self.assertLess(picture[where][2], 0.6 * picture[where][1], name)
             self.assertGreater(other[2], other[1], name)
+
+    def test_the_window_shows_the_same(self) -> None:
+        """Without a display the window is one off screen, and nobody presses a key but the test."""
+
+        class Interactor(mock.MagicMock):
+            def AddObserver(self, _event: str, called: Any) -> None:
+                self.GetKeySym.return_value = "i"
+                seen.append(self)
+                self.press = lambda: called(self, "KeyPressEvent")
+
+        seen: list[Any] = []
+        make = windows.render_window
+        for words, lit in (((), True), (("--method", "off"), False)):
+            with (
+                mock.patch.object(viewer, "vtkRenderWindowInteractor", Interactor),
+                mock.patch.object(windows, "has_display", return_value=True),
+                mock.patch.object(windows, "render_window", lambda size, **_: make(size, True)),
+                mock.patch.object(viewer.methods, "enable", wraps=methods.enable) as enabled,
+            ):
+                result = support.command_line_here(
+                    "view", self.two_arrays(), "--view", "-y", "--size", "48x40", *words
+                )
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual(enabled.call_count, int(lit))
+                seen[-1].press()  # off, or on
+                seen[-1].press()
+                self.assertEqual(enabled.call_args.kwargs, {"ground": "z"})
+            renderer = enabled.call_args.args[0]
+            self.assertEqual(renderer.GetBackground(), looks.BACKGROUND)
+            toward = renderer.GetActiveCamera().GetDirectionOfProjection()
+            np.testing.assert_allclose(toward, (0.0, 1.0, 0.0), atol=1e-12)
 
     def test_defaults_that_the_help_and_the_page_name(self) -> None:
         """Each is what a picture has of which nothing else is said."""
