@@ -11,6 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from vtkmodules.vtkFiltersCore import vtkElevationFilter
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOImage import vtkNIFTIImageReader, vtkNIFTIImageWriter
@@ -226,8 +227,13 @@ class Run(support.DirectoryTest):
         (self.directory / "Testing").symlink_to(support.TESTING)
         self.write_small_brain()
         source = vtkSphereSource()
+        thickness = vtkElevationFilter()
+        thickness.SetInputConnection(source.GetOutputPort())
+        thickness.Update()
+        head = thickness.GetOutput()
+        head.GetPointData().GetScalars().SetName("thickness")
         writer = vtkXMLPolyDataWriter()
-        writer.SetInputConnection(source.GetOutputPort())
+        writer.SetInputData(head)
         writer.SetFileName(str(self.directory / "head.vtp"))
         writer.Write()
         self.addCleanup(os.chdir, Path.cwd())

@@ -198,16 +198,14 @@ def color_by_category(actor: vtkActor, name: str) -> None:
     _show_scalars(mapper, mapper.GetInput(), {"array": name, "map": "tab10"}, "")
 
 
-def color_by_default(actor: vtkActor) -> arrays.Found | None:
-    """Colour an actor as ParaView and PyVista do by default; returns the array, or None.
+def color_by_values(actor: vtkActor, found: arrays.Found) -> tuple[float, float] | None:
+    """Colour an actor by an array as ParaView and PyVista do; returns the range, or None.
 
-    By `arrays.default`, with the map `colormaps.DEFAULT` over all its values, of vectors over their
-    lengths. An array with one value says nothing, and the actor stays white.
+    The map is `colormaps.DEFAULT` over all values, of vectors over their lengths; bytes of three
+    or four components are colours. An array with one value says nothing, and the actor stays as it
+    is.
     """
     mapper = actor.GetMapper()
-    found = arrays.default(mapper.GetInput())
-    if found is None:
-        return None
     vectors = found.array.GetNumberOfComponents() > 1
     low, high = found.array.GetFiniteRange(-1 if vectors else 0)
     if not _is_direct(found) and not low < high:
@@ -215,7 +213,7 @@ def color_by_default(actor: vtkActor) -> arrays.Found | None:
     _show_found(mapper, found, {"map": colormaps.DEFAULT, "range": (low, high)}, "")
     if vectors and not _is_direct(found):
         mapper.GetLookupTable().SetVectorModeToMagnitude()
-    return found
+    return low, high
 
 
 def build(values: Values, path: str, directory: Path, read: Read) -> vtkActor:

@@ -51,6 +51,11 @@ class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         raise UsageError(message)
 
+    def parse_known_args(self, args: Any = None, namespace: Any = None) -> Any:
+        """Take words that argparse would misread for what they are."""
+        words = sys.argv[1:] if args is None else args
+        return super().parse_known_args(options.joined(words), namespace)
+
     def _print_message(self, message: str, file: Any = None) -> None:
         console.say(message.rstrip("\n"))
 
@@ -81,8 +86,9 @@ def _add_lighting_argument(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--lighting",
         metavar="NAME",
-        help=f"what lights the scene: {', '.join(lighting.NAMES)} (default: auto, which is full "
-        "where all lights follow the camera, else scene)",
+        help=f"what lights the scene: {', '.join(lighting.NAMES)} (default: {lighting.AUTO}, which "
+        f"is {lighting.FOLLOWING} where all lights follow the camera, as those of data files do, else "
+        f"{lighting.SCENE})",
     )
 
 
@@ -112,6 +118,7 @@ def _add_scene_arguments(parser: argparse.ArgumentParser, lit: bool = True) -> N
     if lit:
         _add_lighting_argument(parser)
         options.add_arguments(parser)
+        options.add_look_arguments(parser)
     parser.add_argument(
         "--size", type=_size, metavar="WxH", help="picture size in pixels (default: the scene's)"
     )
@@ -226,7 +233,7 @@ def commands() -> dict[str, argparse.ArgumentParser]:
     return {PROGRAM: parser, **known.choices}
 
 
-def _load(path: str) -> Scene:
+def _load(path: str, **look: Any) -> Scene:
     """Load a scene, with a bar when that takes long; prints what was decided for the user."""
     bars: list[Progress] = []
 
@@ -241,7 +248,7 @@ def _load(path: str) -> Scene:
 
     try:
         with working.listening(show):
-            scene = load_scene(path, step)
+            scene = load_scene(path, step, **look)
     finally:
         for bar in bars:
             bar.close()
@@ -278,9 +285,10 @@ def _job(arguments: argparse.Namespace, count: int = 1) -> Job:
     if light is not None:
         lighting.check(light)
     said = options.parse(arguments)
-    if arguments.method == "off" and (values or arguments.sampler or light or said):
+    asked = [name for name, value in said.items() if (name, value) != ("ground", False)]
+    if arguments.method == "off" and (values or arguments.sampler or light or asked):
         name = next(iter(values), "sampler" if arguments.sampler else "lighting" if light else "")
-        raise UsageError(f"method 'off' has no property '{name or next(iter(said))}'")
+        raise UsageError(f"method 'off' has no property '{name or asked[0]}'")
     return Job(arguments.method, arguments.sampler, values, count, lighting=light, words=said)
 
 
@@ -290,6 +298,15 @@ def _of_scene(job: Job, scene: Scene) -> Job:
         scene.rendering, job.method, job.sampler, job.settings
     )
     return dataclasses.replace(job, method=method, sampler=sampler, settings=values)
+
+
+def _suited(job: Job, scene: Scene) -> Job:
+    """Return a job with what suits a data file, where the command line does not say.
+
+    VTK's own picture has no ground, and shows the data at the same place.
+    """
+    words = options.suited(job.words, scene)
+    return dataclasses.replace(job, words={} if job.method == "off" else words)
 
 
 def _picture(scene: Scene, buffer: str, job: Job, linear: bool) -> np.ndarray:
@@ -313,6 +330,7 @@ def _check_places(outputs: list[Path], scene: str) -> None:
 
 def _render(arguments: argparse.Namespace) -> None:
     job = _job(arguments, arguments.frames)
+    look = options.parse_look(arguments)
     images.check_buffer(arguments.buffer)
     if job.method == "off" and arguments.buffer != images.FINAL:
         raise UsageError(f"buffer '{arguments.buffer}': method 'off' has only the buffer 'final'")
@@ -326,8 +344,8 @@ def _render(arguments: argparse.Namespace) -> None:
     written = [path for path in (*outputs, report_path) if path is not None]
     _check_places(written, arguments.scene)
 
-    scene = _load(arguments.scene)
-    job = _of_scene(job, scene)
+    scene = _load(arguments.scene, **look)
+    job = _suited(_of_scene(job, scene), scene)
     window = frames.open_window(scene, arguments.size)
     with Progress(f"rendering {scene.name}", job.all_frames) as bar:
         report = frames.render(scene, window, job, bar.step)
@@ -354,12 +372,16 @@ def _render(arguments: argparse.Namespace) -> None:
 
 def _view(arguments: argparse.Namespace) -> None:
     job = _job(arguments)
+    look = options.parse_look(arguments)
     if not windows.has_display():
         windows.render_window(offscreen=False)  # raises and says why
     from vtkindirect import viewer
 
-    scene = _load(arguments.scene)
-    viewer.view(scene, _of_scene(job, scene), arguments.size)
+    scene = _load(arguments.scene, **look)
+    job = _of_scene(job, scene)
+    lit = job.method != "off"
+    job = job if lit else dataclasses.replace(job, method="auto")
+    viewer.view(scene, _suited(job, scene), lit, arguments.size)
 
 
 def _furnace(arguments: argparse.Namespace) -> None:

@@ -14,6 +14,8 @@ AUTO = "auto"
 SCENE = "scene"
 PRESETS = (SCENE, "soft", "full", "gentle", "studio")
 NAMES = (AUTO, *PRESETS)
+FOLLOWING = "studio"
+"""The preset of "auto" where all lights follow the camera."""
 
 PROPERTY = "Lighting"
 
@@ -64,7 +66,7 @@ def choose(
 ) -> tuple[str, str]:
     """Return the preset that "auto" stands for, and why.
 
-    It is "studio" where nobody has placed lights in the scene: where it has none but those that
+    It is `FOLLOWING` where nobody has placed lights in the scene: where it has none but those that
     follow the camera, however many; else "scene". `environment` is the pass's, or None, and
     `area_lights` how many it has.
     """
@@ -77,10 +79,10 @@ def choose(
     lights = lights_of(renderer)
     if not lights:
         if renderer.GetAutomaticLightCreation():
-            return "studio", "the renderer has no light but the headlight that VTK gives it"
+            return FOLLOWING, "the renderer has no light but the headlight that VTK gives it"
         return "scene", "the renderer has no light and is to have none"
     if not all(follows_camera(light) for light in lights):
         return "scene", "somebody has placed the renderer's lights"
     if not all(_shines(light) for light in lights):
         return "scene", "a light of the renderer adds no light"
-    return "studio", "all lights of the renderer follow its camera"
+    return FOLLOWING, "all lights of the renderer follow its camera"

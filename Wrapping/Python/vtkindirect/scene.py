@@ -2,7 +2,8 @@
 """Scenes: what a scene file says, checked and turned into a renderer.
 
 A scene file is one JSON object of the format ``vtkindirect.scene/1``. A data file is a scene too:
-its surface, seen from a side that shows it, in colours of its values, lit by VTK's light kit.
+its surface on white, seen from a side that shows it, in colours of its values, lit by VTK's light
+kit.
 """
 
 from __future__ import annotations
@@ -27,11 +28,13 @@ from vtkindirect import (
     actors,
     area_lights,
     arrays,
+    bodies,
     data,
     document,
     environments,
     labels,
     lights,
+    looks,
     names,
     objects,
     pipeline,
@@ -41,6 +44,7 @@ from vtkindirect import (
     windows,
 )
 from vtkindirect.errors import SceneError, UsageError, check_text
+from vtkindirect.looks import Look
 
 SCHEMA = "vtkindirect.scene/1"
 
@@ -60,8 +64,9 @@ class Scene:
     Attributes: `name`; `path` of the file; `size` in pixels (width, height); `renderer`; `actors`,
     the vtkActors by name (an actor without one is called "actor 0" by its place); `notes`, one line
     for each thing that was decided for the user; `rendering`, the file's "method", "sampler" and
-    "settings", which `enable` takes where a call names no method. `render_window` is None until
-    `make_window`.
+    "settings", which `enable` takes where a call names no method; `up`, the name of the axis that
+    points up in a data file, None in a scene file; `can_stand`, whether a data file shows a body
+    that a ground suits (`vtkindirect.bodies`). `render_window` is None until `make_window`.
     """
 
     def __init__(self, name: str, path: Path, size: tuple[int, int]) -> None:
@@ -74,7 +79,9 @@ class Scene:
         self.notes: list[str] = []
         self.rendering: dict[str, Any] = {}
         self.render_window: vtkRenderWindow | None = None
-        self._outline: tuple[np.ndarray, np.ndarray, str] | None = None
+        self.up: str | None = None
+        self.can_stand = False
+        self._outline: tuple[np.ndarray, np.ndarray] | None = None
         self._placed = 0  # when the camera was, for data files
 
     @property
@@ -110,11 +117,22 @@ class Scene:
         self.actors[name] = actor
         self.renderer.AddViewProp(actor)
 
-    def view_data(self, outline: np.ndarray, up: str) -> None:
-        """Look at data from a side that shows them; `outline` are points that lie farthest out."""
-        self._outline = outline, views.direction(outline, up), up
+    def view_data(self, outline: np.ndarray, up: str, view: Any = None) -> None:
+        """Look at data from a side that shows them, or that a checked `view` names.
+
+        `outline` are the points that lie farthest out.
+        """
+        self.up = up
+        self._outline = outline, views.direction(outline, up, view)
         self._placed = self.renderer.GetActiveCamera().GetMTime()
         self.fit(self.size)
+
+    def leave_room(self) -> None:
+        """Leave room in the picture for shadows on a ground below what a data file shows."""
+        if self._outline is not None and self.up is not None:
+            points, toward = self._outline
+            self._outline = views.with_ground(points, self.up), toward
+            self.fit(self.size)
 
     def fit(self, size: tuple[int, int]) -> None:
         """Bring the camera as near as a picture of a size has room for what a data file shows.
@@ -123,10 +141,10 @@ class Scene:
         since where it is.
         """
         camera = self.renderer.GetActiveCamera()
-        if self._outline is None or camera.GetMTime() != self._placed:
+        if self._outline is None or self.up is None or camera.GetMTime() != self._placed:
             return
-        outline, toward, up = self._outline
-        views.place(camera, outline, toward, up, size[0] / size[1])
+        outline, toward = self._outline
+        views.place(camera, outline, toward, self.up, size[0] / size[1])
         self.renderer.ResetCameraClippingRange()
         self._placed = camera.GetMTime()
 
@@ -203,20 +221,20 @@ def _from_document(path: Path, progress: Callable[[int, str], None]) -> Scene:
     return scene
 
 
-def _slice(scene: Scene, image: vtkImageData) -> vtkActor:
+def _slice(scene: Scene, image: vtkImageData, look: Look) -> vtkActor:
     """Show an image of one layer of points as it is, in colours."""
     surface = objects.apply("vtkImageDataGeometryFilter", {}, image, "")
-    return _colored(scene, actors.show_surface(surface))
+    return _colored(scene, actors.show_surface(surface), look)
 
 
-def _actor_of_image(scene: Scene, held: vtkImageData) -> vtkActor:
+def _actor_of_image(scene: Scene, held: vtkImageData, look: Look) -> vtkActor:
     """Show the surfaces of an image's labels, or where its values are half of their range."""
     found = arrays.default(held)
     if found is None:
         raise SceneError("the image has no values to show, neither at points nor at cells")
     image, found = voxels.at_points(held, found)
     if min(image.GetDimensions()) < 2:
-        return _slice(scene, held)
+        return _slice(scene, held, look)
     known = labels.find(image, found)
     if known is not None:
         count = len(known.values)
@@ -225,6 +243,8 @@ def _actor_of_image(scene: Scene, held: vtkImageData) -> vtkActor:
             "little smoothed, in colours by their order; a scene file can say others"
         )
         actor = actors.show_surface(labels.surface(image, found, known))
+        if look.color_by not in (None, found.name):
+            return _colored(scene, actor, look)
         actors.color_by_category(actor, labels.NAME)
         return actor
     low, high = found.span
@@ -240,39 +260,53 @@ def _actor_of_image(scene: Scene, held: vtkImageData) -> vtkActor:
         + "; a scene file can say another value"
     )
     steps = [{"contour": {"array": found.name, "value": value}}]
-    return actors.show_surface(pipeline.done(image, steps))
+    actor = actors.show_surface(pipeline.done(image, steps))
+    return actor if look.color_by is None else _colored(scene, actor, look)
 
 
-def _colored(scene: Scene, actor: vtkActor) -> vtkActor:
-    """Colour an actor by what its data hold, and say so."""
+def _colored(scene: Scene, actor: vtkActor, look: Look) -> vtkActor:
+    """Colour an actor by what its data hold, or by the array that a look names, and say so."""
+    surface = actor.GetMapper().GetInput()
+    if look.color_by == looks.NONE:
+        return actor
+    if look.color_by is not None:
+        found = arrays.find(surface, look.color_by, "color_by")
+        span = actors.color_by_values(actor, found)
+        if span is None:
+            scene.notes.append(f"not coloured by '{found.name}', which is constant here")
+        return actor
     for name in (actors.DIRECT_COLORS, "rgb_colors"):
-        found = actors.direct_colors(actor.GetMapper().GetInput(), name)
-        if found is not None:
-            actors.color_by(actor, found)
+        direct = actors.direct_colors(surface, name)
+        if direct is not None:
+            actors.color_by(actor, direct)
             return actor
-    found = actors.color_by_default(actor)
-    if found is not None:
-        scene.notes.append(f"coloured by '{found.name}'; a scene file can say other colours")
+    usual = arrays.default(surface)
+    span = None if usual is None else actors.color_by_values(actor, usual)
+    if span is not None:
+        scene.notes.append(
+            f"coloured by '{usual.name}', {span[0]:g} to {span[1]:g}; color_by names another array"
+        )
     return actor
 
 
-def _actor_of_file(scene: Scene) -> vtkActor:
-    """Show a data file when nobody said how."""
+def _actor_of_file(scene: Scene, look: Look) -> vtkActor:
+    """Show a data file by a look, and where the look says nothing as suits the data."""
     held = data.read(scene.path)
     if isinstance(held, vtkImageData):
-        return _actor_of_image(scene, held)
+        return _actor_of_image(scene, held, look)
     surface = objects.surface_of(held, "")
     if data.is_molecule(scene.path):
         spheres = {"radius": 1.0, "scale_by": "radius", "resolution": 12}
         scene.notes.append("atoms are shown as spheres of their van der Waals radius")
         surface = pipeline.done(surface, [{"glyph_spheres": spheres}])
-    return _colored(scene, actors.show_surface(surface))
+    return _colored(scene, actors.show_surface(surface), look)
 
 
-def _from_data(path: Path, progress: Callable[[int, str], None]) -> Scene:
+def _from_data(path: Path, progress: Callable[[int, str], None], look: Look) -> Scene:
     progress(1, path.name)
     scene = Scene(data.stem(path), path, (512, 512))
-    actor = _actor_of_file(scene)
+    scene.renderer.SetBackground(look.background or looks.BACKGROUND)
+    actor = _actor_of_file(scene, look)
     surface = actor.GetMapper().GetInput()
     if surface.GetNumberOfCells() == 0:
         raise SceneError(
@@ -283,29 +317,55 @@ def _from_data(path: Path, progress: Callable[[int, str], None]) -> Scene:
     scene.add_actor(scene.name, actor, path.name)
     _check_extent(scene)
     lights.add_light_kit(scene.renderer)
-    scene.view_data(views.extremes(vtk_to_numpy(surface.GetPoints().GetData())), data.up_axis(path))
+    outline = views.extremes(vtk_to_numpy(surface.GetPoints().GetData()))
+    scene.view_data(outline, look.up or data.up_axis(path), look.view)
+    scene.can_stand = bodies.can_stand(surface)
     return scene
 
 
+def is_scene_file(path: str | os.PathLike[str]) -> bool:
+    """Return whether a path is that of a scene file; others are data files."""
+    return Path(path).suffix.lower() == ".json"
+
+
 def load_scene(
-    path: str | os.PathLike[str], progress: Callable[[int, str], None] | None = None
+    path: str | os.PathLike[str],
+    progress: Callable[[int, str], None] | None = None,
+    *,
+    view: Any = None,
+    color_by: str | None = None,
+    up: str | None = None,
+    background: Any = None,
 ) -> Scene:
     """Load a scene file (.json) or a data file.
 
     `progress` is called before each actor with their number and the actor's name. Raises
     `UsageError`, whose text is one line that names the file and the place in it.
+
+    `view` is the side of a data file that is seen: "iso" (obliquely from above), "x", "-x", "y",
+    "-y", "z" or "-z" (from where that axis points), or a direction from the data to the camera; by
+    default "iso", or the broad side of data that are thin from there. `color_by` is the name of an
+    array, or "none"; by default the active scalars. `up` is the axis that points up, "z" by default
+    and "y" in glTF and OBJ files. A scene file says these itself. `background` is a colour, by its
+    name, ``"#rrggbb"``, or red, green and blue from 0 to 1; by default white, or the scene file's.
     """
     if not isinstance(path, (str, os.PathLike)):
         check_text("path", path)
     path = Path(path)
     data.readable(path)
+    look = looks.check(view, color_by, up, background)
     progress = progress or (lambda _total, _name: None)
-    if path.suffix.lower() != ".json":
+    if not is_scene_file(path):
         try:
-            return _from_data(path, progress)
+            return _from_data(path, progress, look)
         except SceneError as error:
             raise UsageError(f"{path}: {error}") from None
+    if look.first_of_data is not None:
+        raise UsageError(f"{path}: {look.first_of_data} is for data files, and this is a scene")
     try:
-        return _from_document(path, progress)
+        scene = _from_document(path, progress)
     except SceneError as error:
         raise SceneError(f"{path}: {error}") from None
+    if look.background is not None:
+        scene.renderer.SetBackground(look.background)
+    return scene

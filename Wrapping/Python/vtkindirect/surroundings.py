@@ -43,6 +43,11 @@ _AXES: dict[str, tuple[Vector, Vector, Vector]] = {
 AXES = tuple(_AXES)
 
 
+def directions(up: str) -> tuple[Vector, Vector, Vector]:
+    """Return up, east and north where an axis of `AXES` is up."""
+    return _AXES[up]
+
+
 def check_sun(value: Any) -> Sun | None:
     """Return the sun of an azimuth and an elevation in degrees; None is none."""
     if value is None:
@@ -192,7 +197,7 @@ class Surroundings:
             self.sky, self._implied = None, False  # somebody has set another one
         if self.sky is not None or self.sun is not None:
             if not self._settled:
-                up, east, north = _AXES[self.up or up_of_camera(renderer)]
+                up, east, north = directions(self.up or up_of_camera(renderer))
                 right = _ahead(renderer, up, east) if self.sky in skies.ROOMS else east
                 self._place(renderer, indirect, (up, east, north), right)
                 self._settled = frame

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 from typing import Any
 
 from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
@@ -17,10 +16,14 @@ from vtkindirect.scene import Scene
 KEYS = "i: indirect light on or off; r: reset the camera; q: quit"
 
 
-def view(scene: Scene, job: Job, size: tuple[int, int] | None = None) -> None:
-    """Show a scene until its window is closed. The mouse turns, moves and zooms it."""
+def view(scene: Scene, job: Job, lit: bool = True, size: tuple[int, int] | None = None) -> None:
+    """Show a scene until its window is closed. The mouse turns, moves and zooms it.
+
+    `job` is what the key switches on, and `lit` whether it is on from the beginning.
+    """
     window = scene.make_window(size, offscreen=False)
-    job.enable(scene)
+    if lit:
+        job.enable(scene)
     interactor = vtkRenderWindowInteractor()
     interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
     interactor.SetRenderWindow(window)
@@ -35,8 +38,7 @@ def view(scene: Scene, job: Job, size: tuple[int, int] | None = None) -> None:
         if methods.pass_of(scene.renderer):
             methods.disable(scene.renderer)
         else:
-            on = dataclasses.replace(job, method="auto") if job.method == "off" else job
-            on.enable(scene)
+            job.enable(scene)
         title()
         window.Render()
 
