@@ -407,6 +407,22 @@ class Contact(unittest.TestCase):
             self.assertGreater(seen, 40000)
             self.assertLessEqual(dark, 20)
 
+    def test_the_sky_is_smooth_in_a_trough_of_few_facets(self) -> None:
+        # Facets that meet at 18 degrees: a neighbour rises over a facet by more than a map's bias.
+        turn = np.radians(np.linspace(-72, 72, 9))
+        rows = [(np.sin(a), y, 1.0 - np.cos(a)) for a in turn for y in (-1.5, 1.5)]
+        faces = [[2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1] for i in range(8)]
+        trough, eye, focal = mesh(rows, faces, True), (0.2, -0.5, 5), (0, 0, 0.4)
+        scene = Scene(self, [trough], None, eye, focal, (400, 400), (0, 1, 0))
+        vtkindirect.enable(scene.renderer, lighting="studio", antialiasing=False)
+        self.finish(scene)
+        place = np.nan_to_num(scene.places(), nan=9.0)
+        inner = (np.abs(place[..., 0]) < 0.85) & (np.abs(place[..., 1]) < 1.4)
+        rough = wrinkle(scene.read("sky").mean(-1), 3)[inner]
+        print(f"trough: {(rough > 0.05).sum()} of {inner.sum()} pixels off by 5 %")
+        self.assertGreater(inner.sum(), 10000)
+        self.assertLess((rough > 0.05).sum(), 0.002 * inner.sum())
+
     def finish(self, scene: Scene) -> None:
         scene.window.Render()
         for _ in range(40):

@@ -52,12 +52,18 @@ VTK_INDIRECT_TEST(CreaseMeets)
   const glm::vec3 floor(0.0f, 1.0f, 0.0f);
   const glm::vec3 wall(1.0f, 0.0f, 0.0f);
   // The receiver stands on the floor one unit before the wall.
-  Check("a wall on a floor", vtkiMeetsInCrease(floor, wall, glm::vec3(-1.0f, 0.5f, 0.2f)));
-  Check("the floor below a wall", vtkiMeetsInCrease(wall, floor, glm::vec3(1.0f, -0.5f, 0.2f)));
-  Check(
-    "not the far side of a step", !vtkiMeetsInCrease(floor, wall, glm::vec3(1.0f, -0.5f, 0.0f)));
-  Check("not the back of a wall", !vtkiMeetsInCrease(floor, wall, glm::vec3(1.0f, 0.5f, 0.0f)));
-  Check("not the same floor", !vtkiMeetsInCrease(floor, floor, glm::vec3(1.0f, 0.0f, 0.0f)));
+  auto meets = [](const glm::vec3& facet, const glm::vec3& other, const glm::vec3& offset)
+  { return vtkiMeetsInCrease(facet, other, offset, VTKI_CREASE_COSINE); };
+  Check("a wall on a floor", meets(floor, wall, glm::vec3(-1.0f, 0.5f, 0.2f)));
+  Check("the floor below a wall", meets(wall, floor, glm::vec3(1.0f, -0.5f, 0.2f)));
+  Check("not the far side of a step", !meets(floor, wall, glm::vec3(1.0f, -0.5f, 0.0f)));
+  Check("not the back of a wall", !meets(floor, wall, glm::vec3(1.0f, 0.5f, 0.0f)));
+  Check("not the same floor", !meets(floor, floor, glm::vec3(1.0f, 0.0f, 0.0f)));
+  const glm::vec3 slope = glm::normalize(glm::vec3(0.4f, 1.0f, 0.0f));
+  const glm::vec3 up(-1.0f, 0.2f, 0.0f);
+  Check("a slope is no wall", !meets(floor, slope, up));
+  Check("a slope is a fold", vtkiMeetsInCrease(floor, slope, up, VTKI_FOLD_COSINE));
+  Check("a roof is no fold", !vtkiMeetsInCrease(floor, slope, -up, VTKI_FOLD_COSINE));
   Check("facets of a curved surface are not flat",
     !vtkiIsFlat(floor, glm::normalize(glm::vec3(0.1f, 1.0f, 0.0f)), glm::vec3(1.0f, 0.0f, 0.0f)));
   Check("a plane is flat", vtkiIsFlat(floor, floor, glm::vec3(1.0f, 0.01f, 0.3f)));

@@ -2,7 +2,8 @@
 //VTK::Output::Dec
 // Finds the nearest surface around each pixel that meets the pixel's own in a concave crease, and how
 // far the other surface goes on; see vtkIndirectLibCrease.glsl. Both must be flat: the planes of
-// curved surfaces and of relief hide too much.
+// curved surfaces and of relief hide too much. Any other facet that meets the receiver's own in a fold
+// hides nothing and has no extent, but tells that what rises over the receiver is its neighbour.
 #define VTKI_STEP 1
 #include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectLibCrease.glsl"
@@ -79,14 +80,20 @@ bool vtkiSurfaceRises(ivec2 pixel, vtkiReceiver receiver, bool lit, float width,
   return rises;
 }
 
+struct vtkiOther
+{
+  vec3 normal; // zero if there is none
+  vec3 offset; // from the receiver to a position on the surface
+};
+
 // Finds the nearest flat surface that meets the receiver's own in a crease, at eight pixels in each
-// of some rings. offset: from the receiver to a position on that surface. Returns its normal, zero
-// if there is none.
-vec3 vtkiFindOtherSurface(ivec2 pixel, vtkiReceiver receiver, int rings, int far, out vec3 offset)
+// of some rings, and the nearest facet that meets the receiver's facet in a fold.
+vtkiOther vtkiFindOtherSurface(ivec2 pixel, vtkiReceiver receiver, int rings, int far, out vtkiOther fold)
 {
   float nearest = 16.0f * VTKI_CREASE_REACH * VTKI_CREASE_REACH;
-  vec3 normal = vec3(0.0f);
-  offset = vec3(0.0f);
+  float nearestFold = nearest;
+  vtkiOther other = vtkiOther(vec3(0.0f), vec3(0.0f));
+  fold = other;
   for (int i = 0; i < rings * 8; ++i)
   {
     int distance = min(VTKI_CREASE_NEAR << (2 * (i >> 3)), far);
@@ -97,17 +104,23 @@ vec3 vtkiFindOtherSurface(ivec2 pixel, vtkiReceiver receiver, int rings, int far
     bool there = vtkiFetchNeighbor(at, position, facet);
     vec3 apart = position - receiver.positionVC;
     float apart2 = dot(apart, apart);
-    bool meets = there && apart2 < nearest && vtkiMeetsInCrease(receiver.facetVC, facet, apart);
+    bool folds = there && apart2 < nearestFold &&
+      vtkiMeetsInCrease(receiver.facetVC, facet, apart, VTKI_FOLD_COSINE);
+    nearestFold = folds ? apart2 : nearestFold;
+    fold.offset = folds ? apart : fold.offset;
+    fold.normal = folds ? facet : fold.normal;
+    bool meets = there && apart2 < nearest &&
+      vtkiMeetsInCrease(receiver.facetVC, facet, apart, VTKI_CREASE_COSINE);
     for (int k = 0; k < (meets ? 1 : 0); ++k)
     {
       meets = vtkiIsFlatAround(at, way, position, facet) &&
         vtkiIsFlatAround(pixel, -way, receiver.positionVC, receiver.facetVC);
     }
     nearest = meets ? apart2 : nearest;
-    offset = meets ? apart : offset;
-    normal = meets ? facet : normal;
+    other.offset = meets ? apart : other.offset;
+    other.normal = meets ? facet : other.normal;
   }
-  return normal;
+  return other;
 }
 
 // Returns how far the other surface, or one that stands on it, goes on before the receiver and to
@@ -148,12 +161,14 @@ void main()
   int far = clamp(int(0.5f * VTKI_CREASE_REACH / width), VTKI_CREASE_FAR, VTKI_CREASE_FARTHEST);
   int rings = 2 + int(far > 4 * VTKI_CREASE_NEAR) + int(far > 16 * VTKI_CREASE_NEAR);
   bool rises = vtkiSurfaceRises(pixel, receiver, lit, width, far);
-  vec3 offset;
-  vec3 normal = vtkiFindOtherSurface(pixel, receiver, rises ? rings : 0, far, offset);
-  float extent = vtkiFindExtent(receiver, normal, offset);
+  vtkiOther fold;
+  vtkiOther other = vtkiFindOtherSurface(pixel, receiver, rises ? rings : 0, far, fold);
+  float extent = vtkiFindExtent(receiver, other.normal, other.offset);
+  vec3 normal = extent > 0.0f ? other.normal : fold.normal;
+  vec3 offset = extent > 0.0f ? other.offset : fold.offset;
   // The plane goes with the normal as packed.
   float code = vtkiPackNormal(mat3(vtkiViewToScene) * normal, VTKI_SURFACE_LINEAR);
   vec3 position = (vtkiViewToScene * vec4(receiver.positionVC + offset, 1.0f)).xyz;
   float plane = dot(vtkiOctahedralDecode(vtkiUnpackCode(code)), position);
-  gl_FragData[0] = extent > 0.0f ? vec4(code, plane, extent * extent, 1.0f) : vec4(0.0f);
+  gl_FragData[0] = normal != vec3(0.0f) ? vec4(code, plane, extent * extent, 1.0f) : vec4(0.0f);
 }

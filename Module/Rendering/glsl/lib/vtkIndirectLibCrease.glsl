@@ -7,6 +7,9 @@
 
 // This is the greatest cosine between the normals of surfaces that meet in a crease.
 const float VTKI_CREASE_COSINE = 0.75f;
+// This is the greatest cosine between the normals of facets that meet in a fold. A map's bias covers
+// folds of less than 16 degrees, see VTKI_TILE_ROUGHNESS.
+const float VTKI_FOLD_COSINE = 0.97f;
 // This is the greatest extent of the other surface that counts, in scene units: two texels of the
 // sky's maps, beyond which the maps show the other surface.
 const float VTKI_CREASE_REACH = 0.02f;
@@ -20,8 +23,8 @@ const float VTKI_CREASE_FLAT_COSINE = 0.999f;
 const float VTKI_CREASE_FLAT_HEIGHT = 0.02f;
 
 /* This is the other surface at a receiver: its normal, the product of the normal and a position on
- * it, and the distance from the receiver up to which it goes on, squared. All are zero where no
- * crease is near. */
+ * the surface, and the distance from the receiver up to which the surface goes on, squared: zero
+ * where the surface hides nothing. All are zero where no crease is near. */
 struct vtkiCrease
 {
   vec3 normal;
@@ -30,10 +33,10 @@ struct vtkiCrease
 };
 
 /* Returns true if two surfaces meet in a concave crease: each lies before the other's plane.
- * offset: from the receiver to the other position. */
-bool vtkiMeetsInCrease(vec3 facet, vec3 other, vec3 offset)
+ * offset: from the receiver to the other position; cosine: the greatest between the normals. */
+bool vtkiMeetsInCrease(vec3 facet, vec3 other, vec3 offset, float cosine)
 {
-  return dot(facet, other) < VTKI_CREASE_COSINE && dot(facet, offset) > 0.0f &&
+  return dot(facet, other) < cosine && dot(facet, offset) > 0.0f &&
     dot(other, offset) < VTKI_CREASE_ROUNDING;
 }
 
