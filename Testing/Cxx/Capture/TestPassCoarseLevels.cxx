@@ -2,6 +2,7 @@
 // Coarse levels beside lights, in perspective maps, and their OpenGL objects.
 #include "vtkIndirectContractReport.h"
 #include "vtkIndirectContractUtilities.h"
+#include "vtkIndirectForcedPath.h"
 #include "vtkIndirectGLNames.h"
 
 #include "vtkEnvironmentLight.h"
@@ -219,6 +220,44 @@ VTK_INDIRECT_TEST(CoarseLevelsInPerspective)
     // a wide tile's axis also moves in the tile's picture.
     CONTRACT_CHECK(off > 0.0 && off < 0.05 * hidden, radius << ": off by " << off);
     CONTRACT_CHECK(lost < 0.12, radius << ": loses " << lost);
+  }
+}
+
+//------------------------------------------------------------------------------
+// On a processor OpenGL draws few triangles of parts itself; light and shadows are those of maps
+// that OpenGL draws. A place or a depth rounded otherwise changes a texel here and there.
+VTK_INDIRECT_TEST(SmallTrianglesMakeTheSameLight)
+{
+  Floats sky[2];
+  Floats bounce[2];
+  std::string what[2];
+  for (const int own : { 0, 1 })
+  {
+    const vtkIndirectForcedPath path(own ? "triangles=texels" : "triangles=all");
+    BallView view;
+    // Beside the ball with a level of its own stands one with parts.
+    auto dense = MakeActor(MakeBall(160, 0.7));
+    dense->SetPosition(1.5, 0.0, 0.5);
+    view.Renderer->AddActor(dense);
+    view.AddLevel();
+    view.Renderer->AddActor(MakeQuad({ -4, -1, 4 }, { -4, 5, 4 }, { -4, -1, -4 }));
+    view.Renderer->AddLight(MakeLight(LightKind::Spot, { 1.0, 4.0, 0.0 }, { -4.0, 1.5, 0.0 }));
+    view.Pass->SetVisibilityToMaps();
+    view.Pass->SetEnvironment(view.Sky);
+    view.Complete();
+    CONTRACT_CHECK(view.IsDrawn(), own << ": " << view.What());
+    sky[own] = Read(view.Pass, "sky");
+    bounce[own] = Read(view.Pass, "bounce");
+    what[own] = view.What();
+  }
+  CONTRACT_CHECK(what[0] == what[1], what[0] << ", " << what[1]);
+  for (const auto* images : { sky, bounce })
+  {
+    const double mean = Mean(images[0], 0);
+    const double off = RMS(images[0], images[1]) / mean;
+    std::cout << "off by " << off << " of the mean, at most by "
+              << Compare(images[0], images[1]).Max / mean << "\n";
+    CONTRACT_CHECK(mean > 1e-3 && off < 1e-4, "off by " << off << " of " << mean);
   }
 }
 

@@ -31,7 +31,7 @@ bool vtkIndirectCreases::Update(
   {
     return true;
   }
-  if (!this->Target.Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  if (!this->Target.Resize(frame.Window, frame.Size[0], frame.Size[1], &geometry.GetTarget()))
   {
     return false;
   }
@@ -46,7 +46,7 @@ bool vtkIndirectCreases::Update(
   }
   else
   {
-    this->AreFound = this->Kernel.Run(frame.Window, this->Target,
+    this->AreFound = this->Kernel.RunOnSurfaces(frame.Window, this->Target,
       [&](const vtkIndirectProgram& program) { geometry.ActivateReceivers(program, frame); });
   }
   return this->AreFound;

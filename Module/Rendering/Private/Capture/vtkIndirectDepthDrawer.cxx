@@ -114,6 +114,7 @@ bool IsBuilt(vtkProp* prop, vtkOpenGLPolyDataMapper* mapper)
 vtkIndirectDepthDrawer::vtkIndirectDepthDrawer(vtkIndirectResource* owner)
   : vtkIndirectResource(owner)
   , Vertices(vtkSmartPointer<vtkOpenGLVertexArrayObject>::New())
+  , Indices(vtkSmartPointer<vtkOpenGLBufferObject>::New())
 {
 }
 
@@ -231,9 +232,9 @@ bool vtkIndirectDepthDrawer::Begin(
   {
     return false;
   }
-  this->ToWorld = vtkIndirectFrame::ToGLM(static_cast<vtkActor*>(prop)->GetMatrix());
   if (parts)
   {
+    this->ToWorld = GetToWorld(prop, *parts);
     if (!parts->PointBuffer)
     {
       parts->PointBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
@@ -241,9 +242,6 @@ bool vtkIndirectDepthDrawer::Begin(
       parts->IndexBuffer = vtkSmartPointer<vtkOpenGLBufferObject>::New();
       parts->IndexBuffer->Upload(parts->Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
     }
-    glm::dmat4 restore(1.0);
-    restore[3] = glm::dvec4(parts->Middle, 1.0);
-    this->ToWorld *= restore;
     this->Vertices->Bind();
     const int stride = vtkIndirectMeshParts::FloatsOfPoint * sizeof(float);
     this->Vertices->AddAttributeArray(
@@ -252,6 +250,7 @@ bool vtkIndirectDepthDrawer::Begin(
       this->Program, parts->PointBuffer, "insetMC", stride / 2, stride, VTK_FLOAT, 3, false);
     return true;
   }
+  this->ToWorld = vtkIndirectFrame::ToGLM(prop->GetMatrix());
   vtkOpenGLVertexBufferObject* positions = MapperAccess::GetPositions(this->Mapper);
   if (positions->GetCoordShiftAndScaleEnabled())
   {
@@ -312,14 +311,39 @@ size_t vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip, const glm::dv
     this->Offsets.push_back(reinterpret_cast<const void*>(level.First * sizeof(unsigned int)));
     indices += level.Count;
   }
-  vtkIndirectSetUniform(this->Program, "vtkiToClip", glm::mat4(worldToClip * this->ToWorld));
-  vtkIndirectSetUniform(
-    this->Program, "vtkiEmitter", glm::vec4(glm::inverse(this->ToWorld) * emitter));
+  this->SetView(worldToClip, emitter);
   this->Parts->IndexBuffer->Bind();
   glMultiDrawElements(GL_TRIANGLES, this->Counts.data(), GL_UNSIGNED_INT, this->Offsets.data(),
     static_cast<GLsizei>(levels.size()));
   this->Parts->IndexBuffer->Release();
   return indices / 3;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthDrawer::Draw(const glm::dmat4& worldToClip, const glm::dvec4& emitter,
+  const std::vector<unsigned int>& indices)
+{
+  this->SetView(worldToClip, emitter);
+  this->Indices->Upload(indices, vtkOpenGLBufferObject::ElementArrayBuffer);
+  this->Indices->Bind();
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(indices.size()), GL_UNSIGNED_INT, nullptr);
+  this->Indices->Release();
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthDrawer::SetView(const glm::dmat4& worldToClip, const glm::dvec4& emitter)
+{
+  vtkIndirectSetUniform(this->Program, "vtkiToClip", glm::mat4(worldToClip * this->ToWorld));
+  vtkIndirectSetUniform(
+    this->Program, "vtkiEmitter", glm::vec4(glm::inverse(this->ToWorld) * emitter));
+}
+
+//------------------------------------------------------------------------------
+glm::dmat4 vtkIndirectDepthDrawer::GetToWorld(vtkProp* prop, const vtkIndirectMeshParts& parts)
+{
+  glm::dmat4 restore(1.0);
+  restore[3] = glm::dvec4(parts.Middle, 1.0);
+  return vtkIndirectFrame::ToGLM(prop->GetMatrix()) * restore;
 }
 
 //------------------------------------------------------------------------------
@@ -334,5 +358,6 @@ void vtkIndirectDepthDrawer::End()
 void vtkIndirectDepthDrawer::ReleaseOwn(vtkWindow*)
 {
   this->Vertices->ReleaseGraphicsResources();
+  this->Indices->ReleaseGraphicsResources();
   this->Program = nullptr;
 }

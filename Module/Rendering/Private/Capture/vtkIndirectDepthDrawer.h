@@ -13,6 +13,7 @@
 #include <glm/glm.hpp> // for matrices
 #include <vector>      // for levels
 
+class vtkOpenGLBufferObject;
 class vtkOpenGLIndexBufferObject;
 class vtkOpenGLPolyDataMapper;
 class vtkOpenGLRenderWindow;
@@ -60,17 +61,26 @@ public:
   /** Draws levels of the parts. emitter: its place and 1, or the direction to it and 0. */
   size_t Draw(const glm::dmat4& worldToClip, const glm::dvec4& emitter,
     const std::vector<vtkIndirectMeshParts::Level>& levels);
+  /** Draws triangles of the parts' points. */
+  void Draw(const glm::dmat4& worldToClip, const glm::dvec4& emitter,
+    const std::vector<unsigned int>& indices);
   void End();
+
+  /** Returns the transform from the points of a prop's parts to the world. */
+  static glm::dmat4 GetToWorld(vtkProp* prop, const vtkIndirectMeshParts& parts);
 
 protected:
   void ReleaseOwn(vtkWindow* window) override;
 
 private:
+  void SetView(const glm::dmat4& worldToClip, const glm::dvec4& emitter);
+
   vtkShaderProgram* Program = nullptr;
   vtkSmartPointer<vtkOpenGLVertexArrayObject> Vertices;
-  vtkOpenGLPolyDataMapper* Mapper = nullptr; // between Begin and End
-  vtkIndirectMeshParts* Parts = nullptr;     // between Begin and End
-  glm::dmat4 ToWorld{ 1.0 };                 // transform from the buffer's coordinates
-  std::vector<int> Counts;                   // of levels
-  std::vector<const void*> Offsets;          // of levels
+  vtkOpenGLPolyDataMapper* Mapper = nullptr;      // between Begin and End
+  vtkIndirectMeshParts* Parts = nullptr;          // between Begin and End
+  glm::dmat4 ToWorld{ 1.0 };                      // transform from the buffer's coordinates
+  std::vector<int> Counts;                        // of levels
+  std::vector<const void*> Offsets;               // of levels
+  vtkSmartPointer<vtkOpenGLBufferObject> Indices; // of triangles of the parts
 };

@@ -478,6 +478,36 @@ void vtkIndirectMeshParts::Divide(Level& level)
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectMeshParts::GatherPieces()
+{
+  if (!this->PieceIndices.empty())
+  {
+    return;
+  }
+  this->PieceIndices.resize(this->Indices.size());
+  std::vector<std::pair<size_t, unsigned int>> numbers(this->CountPoints()); // piece + 1, number
+  for (size_t k = 0; k < this->Pieces.size(); ++k)
+  {
+    Piece& piece = this->Pieces[k];
+    piece.FirstPoint = this->PiecePoints.size() / FloatsOfPoint;
+    piece.NumberOfPoints = 0;
+    for (size_t i = piece.First; i < piece.First + piece.Count; ++i)
+    {
+      auto& [owner, number] = numbers[this->Indices[i]];
+      if (owner != k + 1)
+      {
+        owner = k + 1;
+        number = static_cast<unsigned int>(piece.NumberOfPoints++);
+        const auto point =
+          this->Points.begin() + static_cast<std::ptrdiff_t>(FloatsOfPoint * this->Indices[i]);
+        this->PiecePoints.insert(this->PiecePoints.end(), point, point + FloatsOfPoint);
+      }
+      this->PieceIndices[i] = number;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 unsigned int vtkIndirectMeshParts::AddPoint(const glm::dvec3& p)
 {
   const glm::vec3 relative(p - this->Middle);

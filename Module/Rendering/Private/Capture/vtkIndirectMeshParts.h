@@ -37,6 +37,8 @@ struct vtkIndirectMeshParts
     size_t First = 0; // of the indices
     size_t Count = 0;
     std::array<double, 6> Bounds{}; // with the insets, in the mesh's coordinates
+    size_t FirstPoint = 0;          // of PiecePoints
+    size_t NumberOfPoints = 0;
   };
   struct Part
   {
@@ -57,6 +59,10 @@ struct vtkIndirectMeshParts
   bool HasInsets = false; // false: levels are drawn farther by their errors
   std::vector<Part> Parts;
   std::vector<Piece> Pieces; // of a level one after the other
+  /** These are the points of each piece one after the other, and the indices by their numbers
+   * within a piece, for the processor, which keeps few points at hand. GatherPieces makes them. */
+  std::vector<float> PiecePoints;
+  std::vector<unsigned int> PieceIndices;
   vtkSmartPointer<vtkOpenGLBufferObject> PointBuffer;
   vtkSmartPointer<vtkOpenGLBufferObject> IndexBuffer;
 
@@ -76,12 +82,15 @@ struct vtkIndirectMeshParts
 
   /** Sorts a level's triangles into pieces. */
   void Divide(Level& level);
+  /** Makes the points of pieces, if they are not there; all levels have pieces. */
+  void GatherPieces();
   /** Adds a point without an inset. Returns its number. */
   unsigned int AddPoint(const glm::dvec3& p);
   size_t CountPoints() const { return this->Points.size() / FloatsOfPoint; }
   size_t GetBytes() const
   {
-    return this->Points.size() * sizeof(float) + this->Indices.size() * sizeof(unsigned int) +
+    return (this->Points.size() + this->PiecePoints.size()) * sizeof(float) +
+      (this->Indices.size() + this->PieceIndices.size()) * sizeof(unsigned int) +
       this->Pieces.size() * sizeof(Piece);
   }
 };

@@ -78,7 +78,7 @@ void vtkIndirectPartViews::AddPieces(
 {
   std::vector<vtkIndirectMeshParts::Level>& ranges = this->Levels[level];
   vtkIndirectMeshParts::Level range = part.Levels[level];
-  range.Count = 0;
+  range.Count = range.NumberOfPieces = 0;
   for (size_t k = 0; k < part.Levels[level].NumberOfPieces; ++k)
   {
     const size_t number = part.Levels[level].FirstPiece + k;
@@ -95,10 +95,15 @@ void vtkIndirectPartViews::AddPieces(
     if (range.Count > 0 && range.First + range.Count != piece.First)
     {
       ranges.push_back(range);
-      range.Count = 0;
+      range.Count = range.NumberOfPieces = 0;
     }
-    range.First = range.Count > 0 ? range.First : piece.First;
+    if (range.NumberOfPieces == 0)
+    {
+      range.First = piece.First;
+      range.FirstPiece = number;
+    }
     range.Count += piece.Count;
+    ++range.NumberOfPieces;
   }
   if (range.Count > 0)
   {

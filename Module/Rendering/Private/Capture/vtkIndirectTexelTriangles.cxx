@@ -10,28 +10,12 @@
 #include "vtkPolyData.h"
 #include "vtkProp.h"
 
-#include <algorithm>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace
 {
 // With fewer triangles for a texel, many of them cover its centre.
 constexpr size_t LeastTrianglesOfTexel = 4;
-
-// Places lie this many texels farther from the view's edge, so that none of those near the view is
-// negative; farther ones stay as far outside.
-constexpr float Shift = 16.0f;
-constexpr float MostOutside = 8.0f;
-// OpenGL places corners at steps of 1/256 of a texel or less, and matrices are rounded.
-constexpr float CenterMargin = 0.125f;
-
-// Returns true if a texel's centre lies between two places along an axis; centres have whole
-// numbers.
-bool HoldsCenter(float a, float b, float c, float last)
-{
-  const float lower = std::min(std::min(a, b), c) - CenterMargin;
-  const float upper = std::max(std::max(a, b), c) + CenterMargin;
-  return static_cast<float>(static_cast<int>(upper)) >= lower && upper >= Shift && lower <= last;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -49,13 +33,16 @@ vtkIndirectTexelTriangles::Scope::Scope(vtkIndirectTexelTriangles& triangles,
   }
   this->Prop = prop;
   this->Own = vtkIndirectDepthDrawer::GetIndices(prop);
-  triangles.Project(
-    mesh, view.GetWorldToClip(frame) * vtkIndirectFrame::ToGLM(prop->GetMatrix()), texels);
+  const glm::dmat4 toClip = view.GetWorldToClip(frame) * vtkIndirectFrame::ToGLM(prop->GetMatrix());
+  triangles.Small.SetView(glm::mat4(glm::translate(toClip, mesh.First)), glm::ivec2(texels));
+  triangles.Small.Project(mesh.Points);
   size_t first = 0;
+  std::vector<unsigned int> chosen;
   for (size_t i = 0; i < this->Own.size(); ++i)
   {
     const size_t count = this->Own[i]->IndexCount / 3;
-    const std::vector<unsigned int> chosen = triangles.Choose(mesh, first, count, texels);
+    chosen.clear();
+    triangles.Small.Choose(&mesh.Triangles[first][0], 3 * count, chosen);
     first += count;
     this->Short[i]->IndexCount = chosen.size();
     if (!chosen.empty())
@@ -110,47 +97,4 @@ const vtkIndirectTexelTriangles::Mesh& vtkIndirectTexelTriangles::Read(vtkProp* 
     }
   }
   return mesh;
-}
-
-//------------------------------------------------------------------------------
-// Finds the places of a mesh's points.
-void vtkIndirectTexelTriangles::Project(const Mesh& mesh, const glm::dmat4& toClip, int texels)
-{
-  const double half = 0.5 * texels;
-  const glm::dvec4 first = toClip * glm::dvec4(mesh.First, 1.0);
-  // The centre of a view's first texel has the place Shift.
-  const glm::vec2 origin(half * (glm::dvec2(first) + 1.0) - 0.5 + static_cast<double>(Shift));
-  const glm::vec2 x(half * glm::dvec2(toClip[0]));
-  const glm::vec2 y(half * glm::dvec2(toClip[1]));
-  const glm::vec2 z(half * glm::dvec2(toClip[2]));
-  const glm::vec2 lower(Shift - MostOutside);
-  const glm::vec2 upper(static_cast<float>(texels) + Shift + MostOutside);
-  this->Places.resize(mesh.Points.size());
-  for (size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    const glm::vec3& p = mesh.Points[i];
-    this->Places[i] = glm::clamp(origin + p.x * x + p.y * y + p.z * z, lower, upper);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Returns the indices of those triangles, of so many from the first on, whose bounds hold the
-// centre of a texel.
-std::vector<unsigned int> vtkIndirectTexelTriangles::Choose(
-  const Mesh& mesh, size_t first, size_t count, int texels) const
-{
-  std::vector<unsigned int> chosen;
-  const float last = static_cast<float>(texels - 1) + Shift;
-  for (size_t i = first; i < first + count; ++i)
-  {
-    const vtkIndirectMeshParts::Triangle& t = mesh.Triangles[i];
-    const glm::vec2& a = this->Places[t[0]];
-    const glm::vec2& b = this->Places[t[1]];
-    const glm::vec2& c = this->Places[t[2]];
-    if (HoldsCenter(a.x, b.x, c.x, last) && HoldsCenter(a.y, b.y, c.y, last))
-    {
-      chosen.insert(chosen.end(), t.begin(), t.end());
-    }
-  }
-  return chosen;
 }

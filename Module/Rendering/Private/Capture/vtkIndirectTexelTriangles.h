@@ -5,8 +5,9 @@
 // on the processor, which takes longer to transform a triangle than this takes to leave one out.
 #pragma once
 
-#include "Capture/vtkIndirectDepthDrawer.h" // for buffers of indices
-#include "vtkNew.h"                         // for members
+#include "Capture/vtkIndirectDepthDrawer.h"    // for buffers of indices
+#include "Capture/vtkIndirectSmallTriangles.h" // for a member
+#include "vtkNew.h"                            // for members
 
 #include <cstddef> // for size_t
 #include <glm/glm.hpp>
@@ -49,10 +50,8 @@ private:
     glm::dvec3 First{ 0.0 };
   };
   std::map<vtkProp*, Mesh> Meshes;
-  std::vector<glm::vec2> Places; // of a mesh's points in the view, in texels
+  vtkIndirectSmallTriangles Small;
 
   static bool IsWorthIt(const vtkIndirectDepthTile& view, int texels, vtkProp* prop);
   const Mesh& Read(vtkProp* prop);
-  void Project(const Mesh& mesh, const glm::dmat4& toClip, int texels);
-  std::vector<unsigned int> Choose(const Mesh& mesh, size_t first, size_t count, int texels) const;
 };

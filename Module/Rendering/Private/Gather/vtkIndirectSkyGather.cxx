@@ -312,11 +312,10 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   const int factor = step > 1 ? step : 1;
   const int size[2] = { (frame.Size[0] + part - 1) / part * factor,
     (frame.Size[1] + part - 1) / part * factor };
-  if (!this->Irradiance.Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
-    !this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) ||
-    (step > 1 && !this->Rows.Resize(frame.Window, frame.Size[0], frame.Size[1])) ||
-    !this->Shares[0].Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
-    !this->Shares[1].Resize(frame.Window, frame.Size[0], frame.Size[1]) ||
+  const auto resize = [&](vtkIndirectTarget& image)
+  { return image.Resize(frame.Window, frame.Size[0], frame.Size[1], &input.Geometry.GetTarget()); };
+  if (!resize(this->Irradiance) || !this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) ||
+    (step > 1 && !resize(this->Rows)) || !resize(this->Shares[0]) || !resize(this->Shares[1]) ||
     !this->UpdateOpenSky(input))
   {
     return false;
@@ -429,7 +428,7 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
   this->RowKernel.SetDefinitions(
     "#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n");
-  return this->RowKernel.Run(input.Frame.Window, this->Rows,
+  return this->RowKernel.RunOnSurfaces(input.Frame.Window, this->Rows,
     [&](const vtkIndirectProgram& program)
     {
       this->Activate(input, nullptr, program);
@@ -447,7 +446,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
   kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
-  return kernel.Run(input.Frame.Window, this->Shares[0],
+  return kernel.RunOnSurfaces(input.Frame.Window, this->Shares[0],
     [&](const vtkIndirectProgram& program)
     {
       this->Activate(input, group, program);
@@ -490,7 +489,8 @@ bool vtkIndirectSkyGather::Smooth(const Input& input)
   {
     vtkIndirectFullScreenProgram& kernel = this->SmoothKernels[k];
     kernel.SetDefinitions(k == 0 ? "#define VTKI_SKY_ROWS\n" : "");
-    const bool done = kernel.Run(input.Frame.Window, k == 0 ? this->Shares[1] : this->Irradiance,
+    const bool done = kernel.RunOnSurfaces(input.Frame.Window,
+      k == 0 ? this->Shares[1] : this->Irradiance,
       [&](const vtkIndirectProgram& program)
       {
         this->Activate(input, nullptr, program);

@@ -16,7 +16,7 @@ enum Choice
   Depth,     // transfer of depth to the frame's target framebuffer
   Grouping,  // split texels in one invocation of multiresolution splatting
   Uniforms,  // form of fragment shaders' uniforms
-  Triangles, // triangles that mappers draw into maps of few texels
+  Triangles, // triangles that OpenGL draws into maps of few texels
   NumberOfChoices
 };
 

@@ -104,6 +104,30 @@ bool vtkIndirectFullScreenProgram::Run(vtkOpenGLRenderWindow* window, vtkIndirec
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectFullScreenProgram::RunOnSurfaces(vtkOpenGLRenderWindow* window,
+  vtkIndirectTarget& target, const std::function<void(const vtkIndirectProgram&)>& set)
+{
+  const vtkIndirectProgram program = this->Use(window);
+  if (program)
+  {
+    vtkOpenGLState* state = window->GetState();
+    target.Begin();
+    target.Clear();
+    state->vtkglEnable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_FALSE);
+    state->vtkglDepthFunc(GL_GREATER);
+    // VTK's state does not track the depth range and assumes the default.
+    glDepthRange(1.0, 1.0);
+    set(program);
+    this->Draw();
+    glDepthRange(0.0, 1.0);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    target.End();
+  }
+  return program != nullptr;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectFullScreenProgram::RunRows(vtkOpenGLRenderWindow* window, vtkIndirectTarget& target,
   int rows, int most, const std::function<void(const vtkIndirectProgram&)>& set)
 {

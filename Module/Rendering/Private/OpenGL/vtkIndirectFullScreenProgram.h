@@ -44,6 +44,14 @@ public:
     const std::function<void(const vtkIndirectProgram&)>& set);
 
   /**
+   * Does the same where something was drawn: where the depth that the target shares is less than
+   * one. Other pixels become zero. The depth test branches where software's shaders cannot, and
+   * background fills most of many pictures. Within a vtkIndirectFullScreenState.
+   */
+  bool RunOnSurfaces(vtkOpenGLRenderWindow* window, vtkIndirectTarget& target,
+    const std::function<void(const vtkIndirectProgram&)>& set);
+
+  /**
    * Does the same for a table of lights, of which each draw takes at most `most` rows: the target
    * has the sum of all draws. Within a vtkIndirectFullScreenState.
    */

@@ -426,6 +426,16 @@ void vtkIndirectTarget::Write(int channel, const std::vector<float>& values, int
 }
 
 //------------------------------------------------------------------------------
+void vtkIndirectTarget::WriteDepth(const int first[2], const int size[2], const float* values)
+{
+  this->Depth->Activate();
+  this->Window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexSubImage2D(
+    GL_TEXTURE_2D, 0, first[0], first[1], size[0], size[1], GL_DEPTH_COMPONENT, GL_FLOAT, values);
+  this->Depth->Deactivate();
+}
+
+//------------------------------------------------------------------------------
 size_t vtkIndirectTarget::GetOwnBytes() const
 {
   size_t perPixel = this->Depth ? this->DepthBits / 8 : 0;

@@ -95,6 +95,9 @@ public:
   /** Replaces a channel's content from a row on: four floats a pixel, bottom row first. */
   void Write(int channel, const std::vector<float>& values, int row = 0);
 
+  /** Replaces depths of 32-bit floats in a rectangle, rows from the bottom. */
+  void WriteDepth(const int first[2], const int size[2], const float* values);
+
   /** One line a channel: name, meaning, size, format, space and unit. */
   void Print(std::ostream& os, vtkIndent indent) const;
 

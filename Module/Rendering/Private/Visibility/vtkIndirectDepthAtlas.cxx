@@ -188,7 +188,8 @@ bool vtkIndirectDepthAtlas::Draw(
     casters.push_back(&caster);
   }
   const std::vector<const vtkIndirectCaster*> others =
-    this->Drawer.Draw(frame, casters, views, this->Texels, MostErrorOfLevels);
+    this->Drawer.Draw(
+      frame, casters, views, this->Texels, MostErrorOfLevels, false, &this->Depths);
   if (!others.empty())
   {
     this->DrawOthers(frame, capture, views, others);
