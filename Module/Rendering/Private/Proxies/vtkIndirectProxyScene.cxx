@@ -3,6 +3,7 @@
 
 #include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectImpostors.h"
 #include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectMaterial.h"
 #include "Frame/vtkIndirectPropKind.h"
@@ -33,14 +34,6 @@ using vtkIndirectActors::ForEachBlock;
 
 namespace
 {
-// Access to protected members of VTK.
-struct SphereAccess : public vtkOpenGLSphereMapper
-{
-  static const char* GetArray(vtkOpenGLSphereMapper* mapper)
-  {
-    return mapper->*(&SphereAccess::ScaleArray);
-  }
-};
 const char* const NoBlockers = "they block no indirect light; the result is too bright";
 
 // Returns the polygons of a mapper that draws them unchanged, or of data sets.
@@ -295,8 +288,7 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
   {
     auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(part.Mapper);
     ForEachBlock<vtkDataSet>(spheres->GetInputDataObject(0, 0),
-      [&](vtkDataSet* data)
-      { this->AddPoints(part, data, SphereAccess::GetArray(spheres), spheres->GetRadius()); });
+      [&](vtkDataSet* data) { this->AddPoints(part, data, spheres->GetRadius()); });
     this->Exact += this->Spheres.size() - before;
   }
   else if (type == Kinds::STICKS)
@@ -337,10 +329,9 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyScene::AddPoints(
-  const Part& part, vtkDataSet* data, const char* array, double radius)
+void vtkIndirectProxyScene::AddPoints(const Part& part, vtkDataSet* data, double radius)
 {
-  vtkDataArray* sizes = array ? data->GetPointData()->GetArray(array) : nullptr;
+  vtkDataArray* sizes = vtkIndirectImpostors::FindRadii(part.Mapper, data);
   const vtkIndirectMaterial material(part.Actor, part.Mapper, data);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {

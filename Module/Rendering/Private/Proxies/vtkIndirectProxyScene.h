@@ -71,7 +71,7 @@ private:
   struct Part;
   void AddPart(const Part& part, const Given& given);
   void AddActor(const Part& part);
-  void AddPoints(const Part& part, vtkDataSet* data, const char* array, double radius);
+  void AddPoints(const Part& part, vtkDataSet* data, double radius);
   void AddGaussians(const Part& part);
   bool AddGlyphs(const Part& part);
   bool AddGlyphs(const Part& part, vtkDataSet* data);
