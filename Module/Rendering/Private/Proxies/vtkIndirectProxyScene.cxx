@@ -4,11 +4,9 @@
 #include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
 #include "Frame/vtkIndirectImpostors.h"
-#include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectMaterial.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
-#include "Frame/vtkIndirectRevision.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "Visibility/vtkIndirectGlyphs.h"
@@ -22,7 +20,6 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
-#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -48,20 +45,6 @@ vtkDataObject* FindMeshes(vtkMapper* mapper)
   }
   return input;
 }
-
-bool IsOfSplats(vtkActor* actor)
-{
-  return vtkIndirectProxyKinds::FindType(actor->GetMapper()) == vtkIndirectProxyKinds::SPLATS;
-}
-
-// Returns true if an actor, or one in an assembly, draws splats.
-bool HasSplats(vtkProp* prop)
-{
-  bool any = false;
-  vtkIndirectActors::ForEach(
-    prop, [&any](vtkActor* actor, vtkMatrix4x4*) { any = any || IsOfSplats(actor); });
-  return any;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -79,37 +62,14 @@ struct vtkIndirectProxyScene::Part
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxyScene::Update(
-  const vtkIndirectFrame& frame, const Given& given, vtkObject* caller, bool withSplats)
+  const vtkIndirectFrame& frame, const Given& given, vtkObject* caller)
 {
-  struct Drawn
-  {
-    vtkProp* Prop;
-    bool Sends;
-    bool SplatsAlone = false;
-  };
-  std::vector<Drawn> drawn;
-  for (const vtkIndirectCaster& caster : frame.Casters)
-  {
-    drawn.push_back({ caster.Prop, caster.SendsLight });
-  }
-  // Splats have no surface and are no casters, but some of them look like spheres.
-  for (vtkProp* prop : frame.Props)
-  {
-    if (withSplats && HasSplats(prop) &&
-      vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows()) &&
-      std::none_of(frame.Casters.begin(), frame.Casters.end(),
-        [prop](const vtkIndirectCaster& caster) { return caster.Prop == prop; }))
-    {
-      drawn.push_back({ prop, true, true });
-    }
-  }
   vtkIndirectKey key;
   frame.AppendUnitsTo(key);
-  for (const Drawn& item : drawn)
+  for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    key.AddAddress("props", item.Prop).Add("props", vtkIndirectRevision::Find(item.Prop));
-    key.Add("props", item.Sends);
-    const auto known = given.find(item.Prop);
+    caster.AppendTo(key);
+    const auto known = given.find(caster.Prop);
     key.Add("given spheres", known == given.end() ? nullptr : known->second);
   }
   if (!this->Key.Take(std::move(key)))
@@ -124,18 +84,14 @@ bool vtkIndirectProxyScene::Update(
   this->Exact = this->OfSticks = this->Fitted = this->Wrong = this->Sheets = 0;
   this->SceneCenter = frame.SceneCenter;
   this->SceneScale = frame.SceneScale;
-  for (const Drawn& item : drawn)
+  for (const vtkIndirectCaster& caster : frame.Casters)
   {
     const size_t before = this->Spheres.size();
-    vtkIndirectActors::ForEach(item.Prop,
+    vtkIndirectActors::ForEach(caster.Prop,
       [&](vtkActor* actor, vtkMatrix4x4* matrix)
       {
-        if (item.SplatsAlone && !IsOfSplats(actor))
-        {
-          return;
-        }
         const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(matrix);
-        Part part = { actor, actor->GetMapper(), item.Prop, item.Sends,
+        Part part = { actor, actor->GetMapper(), caster.Prop, caster.SendsLight,
           actor->GetProperty()->GetInterpolation() == VTK_PBR, toWorld, frame.ToScene(toWorld),
           frame.SceneScale * std::cbrt(std::abs(glm::determinant(glm::dmat3(toWorld)))) };
         for (int i = 0; i < 3; ++i)
@@ -151,7 +107,7 @@ bool vtkIndirectProxyScene::Update(
       });
     if (this->Spheres.size() > before)
     {
-      this->Props.push_back(item.Prop);
+      this->Props.push_back(caster.Prop);
     }
   }
   this->Shapes.Forget();
@@ -306,8 +262,8 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
   }
   else if (type == Kinds::SPLATS)
   {
-    this->AddGaussians(part);
-    this->Exact += this->Spheres.size() - before;
+    this->LeaveOut("splats without an edge",
+      "they hide no light: a sphere's shader code cuts them off by `discard`, with Emissive off");
   }
   else if (type == Kinds::GLYPHS)
   {
@@ -339,42 +295,6 @@ void vtkIndirectProxyScene::AddPoints(const Part& part, vtkDataSet* data, double
     data->GetPoint(i, place);
     this->Add(part, place, sizes ? sizes->GetComponent(i, 0) : radius, material.Get(i), true);
   }
-}
-
-//------------------------------------------------------------------------------
-// Adds splats whose shader clips them to a disk, of radius one in its coordinates; other splats
-// fade out and are translucent.
-void vtkIndirectProxyScene::AddGaussians(const Part& part)
-{
-  auto* mapper = vtkPointGaussianMapper::SafeDownCast(part.Mapper);
-  if (!vtkIndirectProxyKinds::IsOfCutSplats(part.Actor))
-  {
-    this->LeaveOut("splats without an edge",
-      "they hide no light: a sphere's shader code cuts them off by `discard`, with Emissive off");
-    return;
-  }
-  vtkPiecewiseFunction* function = mapper->GetScaleFunction();
-  if (function)
-  {
-    this->LeaveOut("ScaleFunction of vtkPointGaussianMapper", "radii are those of the array");
-  }
-  ForEachBlock<vtkDataSet>(mapper->GetInputDataObject(0, 0),
-    [&](vtkDataSet* data)
-    {
-      vtkDataArray* sizes =
-        mapper->GetScaleArray() ? data->GetPointData()->GetArray(mapper->GetScaleArray()) : nullptr;
-      const int component = sizes ? std::min(std::max(mapper->GetScaleArrayComponent(), 0),
-                                      sizes->GetNumberOfComponents() - 1)
-                                  : 0;
-      const vtkIndirectMaterial material(part.Actor, mapper, data);
-      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-      {
-        double place[3];
-        data->GetPoint(i, place);
-        const double size = sizes ? sizes->GetComponent(i, component) : 1.0;
-        this->Add(part, place, size * mapper->GetScaleFactor(), material.Get(i), true);
-      }
-    });
 }
 
 //------------------------------------------------------------------------------
