@@ -10,7 +10,6 @@
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectPointSpheres.h"
 #include "Frame/vtkIndirectPropKind.h"
-#include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectRendererWork.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"

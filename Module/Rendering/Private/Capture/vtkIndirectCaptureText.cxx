@@ -117,10 +117,10 @@ void vtkIndirectCaptureText::Add(
   const bool textured = !pbr && Contains(fragmentShader, "vec4 tcolor =");
   std::string depth = positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()";
 
-  // VTK draws points as spheres, and lines as tubes, around the place of the point or the line.
-  const bool around = lit && Contains(fragmentShader, "ZCalcR");
-  const bool tube = around && Contains(fragmentShader, "tubeBasis1");
-  const std::string normal = around ? "vtkiNormalVC" : "normalVCVSOutput";
+  // VTK draws points as spheres around the place of the point.
+  const bool sphere =
+    lit && Contains(fragmentShader, "ZCalcR") && !Contains(fragmentShader, "tubeBasis1");
+  const std::string normal = sphere ? "vtkiNormalVC" : "normalVCVSOutput";
 
   // Multiplies VTK's own light colours by the visibility of each light.
   std::string visibility;
@@ -154,9 +154,8 @@ void vtkIndirectCaptureText::Add(
     const bool analytic = impostor || Contains(fragmentShader, "tubeBasis1") ||
       Contains(fragmentShader, "ZCalcS") || Contains(fragmentShader, "cross(vec3(fdx.y");
     visibility = std::string("  vec3 vtkiPlaceVC = vertexVC.xyz;\n") +
-      (around ? "  vec3 vtkiNormalVC = vtkiFindSurface(vertexVC.xyz, normalVCVSOutput, ZCalcR, "
-                "vtkiParallel != 0, " +
-            std::string(tube ? "true" : "false") + ", vtkiPlaceVC);\n"
+      (sphere ? "  vec3 vtkiNormalVC = vtkiFindSurface(vertexVC.xyz, normalVCVSOutput, ZCalcR, "
+                "vtkiParallel != 0, vtkiPlaceVC);\n"
               : "") +
       "  vec2 vtkiSlope = " +
       (impostor ? "vtkiNormalSlope(normalVCVSOutput, vertexVC.xyz);\n"
