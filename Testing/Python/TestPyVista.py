@@ -256,6 +256,13 @@ PARTAKING = {
     "points": lambda plotter: plotter.add_points(
         _make_cloud().points, render_points_as_spheres=True, point_size=20, color="red"
     ),
+    "points of a grid": lambda plotter: plotter.add_mesh(
+        _make_cloud().cast_to_unstructured_grid(),
+        style="points",
+        render_points_as_spheres=True,
+        point_size=20,
+        color="red",
+    ),
     "points of a mesh": lambda plotter: plotter.add_mesh(
         pyvista.Cube(center=(0, 0, 0.35), z_length=0.3),
         style="points",

@@ -15,6 +15,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
 #include "vtkPointGaussianMapper.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkPropCollection.h"
@@ -75,9 +76,24 @@ bool IsOfPointsAsSpheres(vtkActor* actor, vtkMapper* mapper)
     IsDrawnByMapper(actor);
 }
 
-// Returns the polygons or vertices that a mapper draws; null for composite data, and for other data
-// before VTK's first draw.
-vtkPolyData* FindInput(vtkMapper* mapper)
+// Returns vertices at all points of data.
+vtkSmartPointer<vtkPolyData> MakeVertices(vtkPointSet* data)
+{
+  auto vertices = vtkSmartPointer<vtkPolyData>::New();
+  vertices->SetPoints(data->GetPoints());
+  vertices->GetPointData()->ShallowCopy(data->GetPointData());
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    cells->InsertNextCell(1, &i);
+  }
+  vertices->SetVerts(cells);
+  return vertices;
+}
+
+// Returns the polygons or vertices that a mapper draws; null for composite data. Before VTK's first
+// draw, which extracts polygons from other data, all points of these count.
+vtkSmartPointer<vtkPolyData> FindInput(vtkMapper* mapper)
 {
   if (mapper->GetNumberOfInputPorts() < 1 || mapper->GetNumberOfInputConnections(0) < 1)
   {
@@ -87,10 +103,16 @@ vtkPolyData* FindInput(vtkMapper* mapper)
   {
     mapper->GetInputAlgorithm(0, 0)->Update();
   }
-  auto* data = vtkPolyData::SafeDownCast(mapper->GetInputDataObject(0, 0));
+  vtkDataObject* object = mapper->GetInputDataObject(0, 0);
+  auto* data = vtkPolyData::SafeDownCast(object);
   auto* dataSetMapper = vtkDataSetMapper::SafeDownCast(mapper);
   vtkPolyDataMapper* inner = dataSetMapper ? dataSetMapper->GetPolyDataMapper() : nullptr;
-  return data || !inner ? data : inner->GetInput();
+  if (data || inner)
+  {
+    return data ? data : inner->GetInput();
+  }
+  auto* points = vtkPointSet::SafeDownCast(object);
+  return points && points->GetPoints() ? MakeVertices(points) : nullptr;
 }
 
 // Calls the function with each point of each cell, and with the number of its cell.
@@ -296,7 +318,7 @@ void vtkIndirectPointSpheres::Take(vtkActor* actor, vtkMatrix4x4* matrix, StandI
   vtkMapper* mapper = actor->GetMapper();
   auto* splats = vtkPointGaussianMapper::SafeDownCast(mapper);
   vtkProperty* property = actor->GetProperty();
-  vtkPolyData* data = FindInput(mapper);
+  const vtkSmartPointer<vtkPolyData> data = FindInput(mapper);
   if (!data || !data->GetPoints() || data->GetNumberOfPoints() == 0)
   {
     return;
