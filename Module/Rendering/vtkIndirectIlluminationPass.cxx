@@ -7,6 +7,8 @@
 #include "Frame/vtkIndirectDelegateGuard.h"
 #include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectLightScope.h"
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectPointSpheres.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectRendererWork.h"
 #include "Frame/vtkIndirectReport.h"
@@ -379,6 +381,8 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   // A picture of the delegate alone has the renderer's lights.
   std::optional<vtkIndirectLightScope> lights(std::in_place, renderer, in.Lighting.GetLights());
   request.ReplacedLights = lights->GetReplaced();
+  std::optional<vtkIndirectPointSpheres::Scope> spheres(std::in_place, in.Pipeline.PointSpheres,
+    renderer, !vtkIndirectPlan::IsInteractive(request.Circumstances.UpdateRate));
   in.Pipeline.Prepare(s, request);
   std::string why = in.Pipeline.GetPlan().WhyDelegate;
   in.Delegate.Begin();
@@ -401,11 +405,13 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
     this->NumberOfRenderedProps += in.Pipeline.GetNumberOfRenderedProps();
     in.Pipeline.DrawLight(request);
     this->ShowDebugView();
+    spheres.reset();
     lights.reset();
     this->NumberOfRenderedProps += vtkIndirectRendererWork::RenderFlat(s);
   }
   else
   {
+    spheres.reset();
     lights.reset();
     this->RenderDelegate(
       s, in.Delegate.IsRefused(this->DelegatePass) ? vtkIndirectDelegateGuard::Why : why);

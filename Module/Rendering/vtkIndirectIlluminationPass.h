@@ -318,11 +318,9 @@ public:
    * 0.05. Maps return in the first frame without motion, or in the ninth such frame while the
    * window's rate is a frame a second or more. Interactors render that frame when an interaction
    * ends; after the last frame of an animation, Render once more.
-   * Bonds and other sticks are rows of spheres. Splats that vtkPointGaussianMapper's shader code
-   * cuts off by `discard` are in no map: with such splats all frames use spheres, including still
-   * ones. The report says which method made the sky and why. Spheres take half of the time or less,
-   * at an RMS error over the mean of 0.05; a still frame has 0.02. Default on; off for a film whose
-   * frames may take their time.
+   * Bonds and other sticks are rows of spheres. The report says which method made the sky and why.
+   * Spheres take half of the time or less, at an RMS error over the mean of 0.05; a still frame has
+   * 0.02. Default on; off for a film whose frames may take their time.
    */
   vtkIndirectFlagMacro(SpheresInMotion);
   ///@}

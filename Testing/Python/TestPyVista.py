@@ -232,6 +232,121 @@ class Effects(unittest.TestCase):
         self.assertEqual(len(methods._records), len(alive))
 
 
+def _make_cloud(height: float = 0.25) -> "pyvista.PolyData":
+    """Return nine points over a floor, with radii."""
+    steps = (-0.6, 0.0, 0.6)
+    cloud = pyvista.PolyData(np.array([(x, y, height) for x in steps for y in steps]))
+    cloud["radius"] = np.full(9, 0.15)
+    return cloud
+
+
+def _add_sized_splats(plotter: "pyvista.Plotter") -> None:
+    actor = plotter.add_mesh(
+        _make_cloud(), style="points_gaussian", render_points_as_spheres=True, color="red"
+    )
+    actor.mapper.scale_array = "radius"
+
+
+# PyVista draws these shapes at points over a floor; they take part as polygons do.
+PARTAKING = {
+    "spheres": lambda plotter: plotter.add_mesh(
+        _make_cloud().glyph(scale=False, orient=False, geom=pyvista.Sphere(radius=0.15)),
+        color="red",
+    ),
+    "points": lambda plotter: plotter.add_points(
+        _make_cloud().points, render_points_as_spheres=True, point_size=20, color="red"
+    ),
+    "points of a grid": lambda plotter: plotter.add_mesh(
+        _make_cloud().cast_to_unstructured_grid(),
+        style="points",
+        render_points_as_spheres=True,
+        point_size=20,
+        color="red",
+    ),
+    "points of a mesh": lambda plotter: plotter.add_mesh(
+        pyvista.Cube(center=(0, 0, 0.35), z_length=0.3),
+        style="points",
+        render_points_as_spheres=True,
+        point_size=20,
+        color="red",
+    ),
+    "splats": lambda plotter: plotter.add_mesh(
+        _make_cloud(),
+        style="points_gaussian",
+        render_points_as_spheres=True,
+        point_size=150,
+        color="red",
+    ),
+    "sized splats": _add_sized_splats,
+}
+# Further shapes take no part, for these reasons.
+APART_FROM_LIGHT = {
+    "flat points": (
+        lambda plotter: plotter.add_points(_make_cloud().points, point_size=20),
+        "lines and points are sized in pixels",
+    ),
+    "soft splats": (
+        lambda plotter: plotter.add_mesh(_make_cloud(), style="points_gaussian", point_size=40),
+        "translucent geometry",
+    ),
+    "emissive splats": (
+        lambda plotter: plotter.add_mesh(_make_cloud(), style="points_gaussian", emissive=True),
+        "splats have no surface",
+    ),
+    "lines": (
+        lambda plotter: plotter.add_mesh(pyvista.Line((-1, 0, 0.2), (1, 0, 0.2)), line_width=5),
+        "lines and points are sized in pixels",
+    ),
+}
+
+
+@unittest.skipIf(WHY_NOT, WHY_NOT or "")
+class Points(unittest.TestCase):
+    """Points that look like spheres cast shadows, send light and receive it; others are named."""
+
+    def look(self, add) -> tuple[dict[str, np.ndarray], list[str]]:
+        """Return the light over a white floor under a sky, and the warnings of two frames."""
+        plotter = pyvista.Plotter(off_screen=True, window_size=(128, 96))
+        self.addCleanup(plotter.close)
+        plotter.add_mesh(pyvista.Plane(i_size=3, j_size=3), color="white")
+        add(plotter)
+        plotter.camera_position = [(2.2, -2.8, 2.6), (0, 0, 0.1), (0, 0, 1)]
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            vtkindirect.enable(plotter, environment="uniform")
+            for _ in range(2):
+                plotter.render_window.Render()
+        buffers = ("sky", "bounce", "albedo")
+        light = {name: vtkindirect.copy_buffer(plotter, name) for name in buffers}
+        return light, [str(each.message) for each in said]
+
+    def test_points_that_look_like_spheres_take_part(self) -> None:
+        bare, _ = self.look(lambda plotter: None)
+        floor = bare["albedo"][..., 1] > 0.9
+        for name, add in PARTAKING.items():
+            with self.subTest(name):
+                light, said = self.look(add)
+                self.assertEqual(said, [])
+                red = (light["albedo"][..., 0] > 0.5) & (light["albedo"][..., 1] < 0.5)
+                around = floor & (light["albedo"][..., 1] > 0.9)
+                self.assertGreater(red.sum(), 300)
+                hidden = 1 - light["sky"][around].mean() / bare["sky"][around].mean()
+                self.assertGreater(hidden, 0.02, "no shadow")
+                sent = light["bounce"][around, 0] - light["bounce"][around, 1]
+                self.assertGreater(sent.mean(), 0.5 * hidden, "no light sent")
+                # The lower halves of the spheres, and the upper ones, are seen alike.
+                got = light["sky"][red, 0]
+                self.assertGreater(got.mean(), 0.4, "no light received")
+                self.assertGreater(got.std(), 0.1, "no shading")
+
+    def test_others_are_named_once(self) -> None:
+        for name, (add, why) in APART_FROM_LIGHT.items():
+            with self.subTest(name):
+                _, said = self.look(add)
+                self.assertEqual(len(said), 1)
+                self.assertIn(why, said[0])
+
+
 @unittest.skipIf(WHY_NOT, WHY_NOT or "")
 class Widgets(unittest.TestCase):
     def test_handles_cast_no_shadows(self) -> None:

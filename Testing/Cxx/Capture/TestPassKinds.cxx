@@ -25,8 +25,8 @@ void AddKindLights(vtkRenderer* renderer)
 // True for kinds that neither cast shadows nor send light.
 bool IsNoCaster(const std::string& name)
 {
-  return name == "points" || name == "points as spheres" || name == "wireframe" ||
-    name == "lines" || name == "tubes" || name == "follower";
+  return name == "points" || name == "wireframe" || name == "lines" || name == "tubes" ||
+    name == "follower";
 }
 
 // True for kinds drawn without lighting: such props neither reflect nor receive.

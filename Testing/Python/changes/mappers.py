@@ -21,6 +21,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkCompositePolyDataMapper,
     vtkGlyph3DMapper,
     vtkPointGaussianMapper,
+    vtkPolyDataMapper,
 )
 from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLSphereMapper
 
@@ -236,6 +237,64 @@ def splat_scale_function():
         sizes.AddPoint(1, 0.2)
 
     return prop, shrink
+
+
+def make_cut_splats():
+    """Return splats that shader code cuts off, and their sizes."""
+    mapper = vtkPointGaussianMapper()
+    mapper.EmissiveOff()
+    mapper.SetSplatShaderCode(
+        "//VTK::Color::Impl\n"
+        "if (dot(offsetVCVSOutput.xy, offsetVCVSOutput.xy) > 1.0) { discard; }\n"
+    )
+    return make_balls(mapper)
+
+
+@change
+def cut_splat_sizes_in_place():
+    prop, sizes = make_cut_splats()
+    return prop, lambda: write(sizes, 0.2)
+
+
+@change
+def cut_splat_scale_factor():
+    prop, _ = make_cut_splats()
+    return prop, lambda: prop.GetMapper().SetScaleFactor(0.5)
+
+
+def make_point_sphere():
+    """Return a prop that draws one point as a sphere of a size in pixels."""
+    prop, _ = make_balls(vtkOpenGLSphereMapper())
+    mapper = vtkPolyDataMapper()
+    mapper.SetInputData(prop.GetMapper().GetInput())
+    prop.SetMapper(mapper)
+    prop.GetProperty().RenderPointsAsSpheresOn()
+    prop.GetProperty().SetPointSize(30)
+    return prop
+
+
+@change
+def point_sphere_size():
+    prop = make_point_sphere()
+    return prop, lambda: prop.GetProperty().SetPointSize(15)
+
+
+@change
+def point_sphere_moved():
+    prop = make_point_sphere()
+    points = prop.GetMapper().GetInput().GetPoints()
+
+    def move() -> None:
+        write(points.GetData(), np.array((0.4, 0.3, 0.2), np.float32))
+        points.Modified()
+
+    return prop, move
+
+
+@change
+def point_sphere_flat():
+    prop = make_point_sphere()
+    return prop, lambda: prop.GetProperty().RenderPointsAsSpheresOff()
 
 
 def make_molecule():

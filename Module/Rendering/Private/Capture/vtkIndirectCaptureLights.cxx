@@ -123,7 +123,7 @@ std::string vtkIndirectCaptureLights::GetLookUps(
   rows += std::string("    float vtkiSeen = ") +
     (group.Penumbra ? "vtkiPenumbra" : "vtkiVisibility") +
     "(mat3x4(vtkiRow0, vtkiRow1, vtkiRow2), vtkiRow3, vtkiRow4, vtkiRow5, " +
-    std::to_string(group.Projection) + ", vertexVC.xyz, normalVCVSOutput, vtkiFacetNormalVC);\n";
+    std::to_string(group.Projection) + ", vtkiPlaceVC, normalVCVSOutput, vtkiFacetNormalVC);\n";
   std::string begin;
   std::string end;
   for (size_t i = 0; i < lights; ++i)

@@ -117,6 +117,11 @@ void vtkIndirectCaptureText::Add(
   const bool textured = !pbr && Contains(fragmentShader, "vec4 tcolor =");
   std::string depth = positioned ? "(-vertexVC.z * vtkiSceneScale)" : "vtkiLinearDepth()";
 
+  // VTK draws points as spheres around the place of the point.
+  const bool sphere =
+    lit && Contains(fragmentShader, "ZCalcR") && !Contains(fragmentShader, "tubeBasis1");
+  const std::string normal = sphere ? "vtkiNormalVC" : "normalVCVSOutput";
+
   // Multiplies VTK's own light colours by the visibility of each light.
   std::string visibility;
   int lights = 0;
@@ -148,15 +153,19 @@ void vtkIndirectCaptureText::Add(
     // Lines have no facets, nor do the tubes and spheres that VTK draws for lines and points.
     const bool analytic = impostor || Contains(fragmentShader, "tubeBasis1") ||
       Contains(fragmentShader, "ZCalcS") || Contains(fragmentShader, "cross(vec3(fdx.y");
-    visibility = std::string("  vec2 vtkiSlope = ") +
+    visibility = std::string("  vec3 vtkiPlaceVC = vertexVC.xyz;\n") +
+      (sphere ? "  vec3 vtkiNormalVC = vtkiFindSurface(vertexVC.xyz, normalVCVSOutput, ZCalcR, "
+                "vtkiParallel != 0, vtkiPlaceVC);\n"
+              : "") +
+      "  vec2 vtkiSlope = " +
       (impostor ? "vtkiNormalSlope(normalVCVSOutput, vertexVC.xyz);\n"
                 : "vtkiDepthSlope(-vertexVC.z * vtkiSceneScale);\n") +
-      (analytic ? "  vec3 vtkiFacetNormalVC = normalVCVSOutput;\n"
+      (analytic ? "  vec3 vtkiFacetNormalVC = " + normal + ";\n"
                 : "  vec3 vtkiFacetNormalVC =\n"
                   "    vtkiFacetNormal(vertexVC.xyz * vtkiSceneScale, normalVCVSOutput);\n"
                   "  float vtkiRayDepth = vtkiDepthOnRay(vertexVC.xyz * vtkiSceneScale);\n") +
       this->LightConstants.GetDeclarations(fragmentShader) + visibility;
-    depth = analytic ? depth : "vtkiRayDepth";
+    depth = analytic ? "(-vtkiPlaceVC.z * vtkiSceneScale)" : "vtkiRayDepth";
   }
   ReplaceAll(fragmentShader, PreLightMarker, visibility);
 
@@ -210,7 +219,7 @@ void vtkIndirectCaptureText::Add(
     declarations += "uniform float vtkiEncoded;\n";
   }
   declarations += "#define VTKI_ALBEDO " + albedo + "\n";
-  declarations += std::string("#define VTKI_NORMAL ") + (lit ? "normalVCVSOutput" : "vec3(0.0)") +
+  declarations += std::string("#define VTKI_NORMAL ") + (lit ? normal : "vec3(0.0)") +
     "\n#define VTKI_FACET " + (lit ? "vtkiFacetNormalVC" : "vec3(0.0)") + "\n#define VTKI_SLOPE " +
     (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind + "\n#define VTKI_DEPTH " +
     depth +

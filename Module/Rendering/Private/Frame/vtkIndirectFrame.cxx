@@ -4,6 +4,7 @@
 
 #include "Frame/vtkIndirectCasterBounds.h"
 #include "Frame/vtkIndirectFillValues.h"
+#include "Frame/vtkIndirectImpostors.h"
 #include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
@@ -238,6 +239,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
   }
   const double* bounds = prop->GetBounds();
   double most[6];
+  double wide[6];
   if (kind.Captured && bounds && !vtkIndirectFillValues::IsWithin(bounds))
   {
     using vtkIndirectFillValues::Points;
@@ -258,6 +260,12 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
     this->LeaveOut(prop, "its bounds are empty or not finite");
     return;
   }
+  const double reach = kind.Captured ? vtkIndirectImpostors::FindReach(prop) : 0.0;
+  for (int i = 0; reach > 0.0 && i < 6; ++i)
+  {
+    wide[i] = bounds[i] + (i % 2 == 0 ? -reach : reach);
+  }
+  bounds = reach > 0.0 ? wide : bounds;
   const bool casts = vtkIndirectInformationKeys::IsSet(
     prop, vtkIndirectInformationKeys::CastsShadows(), kind.NoCaster == nullptr);
   if (casts && kind.Captured && kind.Surface)

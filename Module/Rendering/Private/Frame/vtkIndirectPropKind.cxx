@@ -40,10 +40,11 @@ const char* const ColorAlone =
   "skies: casts no shadow, neither sends nor receives indirect light";
 const char* const Turns = "turns to the camera: casts no shadow and sends no light";
 const char* const LinesOrPoints =
-  "lines and points are sized in pixels, so they neither cast shadows nor send light";
+  "lines and points are sized in pixels, so they neither cast shadows nor send light; points "
+  "drawn as spheres do both";
 const char* const Splats =
   "splats have no surface: in maps they cast no shadows and send no light, "
-  "and they receive no indirect light";
+  "and they receive no indirect light; splats that shader code cuts off by `discard` are spheres";
 
 // Returns true if a mapper is VTK's own for polygons, not of a derived class.
 bool IsPlain(vtkMapper* mapper)

@@ -59,7 +59,7 @@ const vtkIndirectBlockingSpheres* vtkIndirectBounceLight::UpdateSurfaces(
     this->Surfaces.Forget();
   }
   const vtkIndirectBlockingSpheres* const spheres =
-    listed ? this->Blockers.Update(input.Frame, this->Estimator, !needs.Maps) : nullptr;
+    listed ? this->Blockers.Update(input.Frame, this->Estimator) : nullptr;
   if (traced)
   {
     this->Surfaces.Update(input.Frame, spheres);

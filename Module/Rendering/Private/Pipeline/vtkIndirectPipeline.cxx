@@ -44,6 +44,8 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
   }
   const bool interactive = vtkIndirectPlan::IsInteractive(request.Circumstances.UpdateRate);
   this->Frame.Build(s, &this->CasterBounds, interactive);
+  // Points whose size is in pixels receive light where VTK draws them.
+  this->Frame.NumberOfOtherReceivers += this->PointSpheres.CountPixelSized();
   this->Levels.Update(this->Frame);
   this->Frame.ReplacedLights = request.ReplacedLights;
   vtkIndirectCircumstances circumstances = request.Circumstances;
@@ -196,8 +198,12 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->Penumbra.Activate(shadows);
     drawn = shadows.Unit >= 0;
   }
-  drawn = drawn &&
-    this->Geometry.Update(s, this->Frame, this->Plan, this->Capture, shadowed ? &shadows : nullptr);
+  {
+    const vtkIndirectPointSpheres::EyeScope eye(this->PointSpheres);
+    drawn = drawn &&
+      this->Geometry.Update(
+        s, this->Frame, this->Plan, this->Capture, shadowed ? &shadows : nullptr);
+  }
   if (shadowed)
   {
     this->Maps.DeactivateShadows();
@@ -207,6 +213,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->VisibleLamps.Draw(this->Frame, this->UsableAreaLights, this->Geometry) &&
     this->Catchers.Update(this->Frame, this->Capture);
   this->TargetIsClear = request.DepthCleared;
+  const vtkIndirectPointSpheres::EyeScope eye(this->PointSpheres);
   this->DepthIsDrawn = drawn && !this->IsRedirected() && request.DepthCleared &&
     request.DepthOfSamples && this->Plan.VisibleAreaLights == 0 &&
     this->Geometry.DrawDepthOfSamples(s, this->Frame, this->Capture);
@@ -563,6 +570,7 @@ void vtkIndirectPipeline::ReleaseOwn(vtkWindow* window)
   this->SkyProjection = vtkIndirectSkyProjection();
   this->Spheres->ReleaseGraphicsResources(window);
   this->SphereMotion.Forget();
+  this->PointSpheres.Forget();
   this->DefaultEstimator->ReleaseGraphicsResources(window);
   if (this->Estimator)
   {

@@ -4,17 +4,18 @@
 // hands it on as a const reference that is valid for this frame.
 #pragma once
 
-#include "Capture/vtkIndirectCatchers.h"            // for a member
-#include "Capture/vtkIndirectCoarseLevels.h"        // for a member
-#include "Capture/vtkIndirectCreases.h"             // for members
-#include "Capture/vtkIndirectGeometryBuffer.h"      // for members
-#include "Capture/vtkSurfaceCapturePass.h"          // for members
-#include "Composite/vtkIndirectAntialiasing.h"      // for members
-#include "Composite/vtkIndirectComposite.h"         // for members
-#include "Frame/vtkIndirectCasterBounds.h"          // for a member
-#include "Frame/vtkIndirectFrame.h"                 // for members
-#include "Frame/vtkIndirectKey.h"                   // for keys
-#include "Frame/vtkIndirectPlan.h"                  // for members
+#include "Capture/vtkIndirectCatchers.h"       // for a member
+#include "Capture/vtkIndirectCoarseLevels.h"   // for a member
+#include "Capture/vtkIndirectCreases.h"        // for members
+#include "Capture/vtkIndirectGeometryBuffer.h" // for members
+#include "Capture/vtkSurfaceCapturePass.h"     // for members
+#include "Composite/vtkIndirectAntialiasing.h" // for members
+#include "Composite/vtkIndirectComposite.h"    // for members
+#include "Frame/vtkIndirectCasterBounds.h"     // for a member
+#include "Frame/vtkIndirectFrame.h"            // for members
+#include "Frame/vtkIndirectKey.h"              // for keys
+#include "Frame/vtkIndirectPlan.h"
+#include "Frame/vtkIndirectPointSpheres.h"          // for members
 #include "Frame/vtkIndirectReport.h"                // for members
 #include "Frame/vtkIndirectStageTimer.h"            // for members
 #include "Gather/vtkIndirectAreaGather.h"           // for members
@@ -113,6 +114,7 @@ public:
   std::vector<vtkSmartPointer<vtkAreaLight>> AreaLights;
   vtkIndirectFrameSamplers Samplers{ this };
   vtkIndirectCoarseLevels Levels{ this };
+  vtkIndirectPointSpheres PointSpheres; // a frame is drawn within a Scope of these
 
 protected:
   void ReleaseOwn(vtkWindow* window) override;

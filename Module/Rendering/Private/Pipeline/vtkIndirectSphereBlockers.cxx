@@ -5,9 +5,9 @@
 
 //------------------------------------------------------------------------------
 const vtkIndirectBlockingSpheres* vtkIndirectSphereBlockers::Update(
-  const vtkIndirectFrame& frame, vtkObject* caller, bool withSplats)
+  const vtkIndirectFrame& frame, vtkObject* caller)
 {
-  if (!this->Scene.Update(frame, {}, caller, withSplats))
+  if (!this->Scene.Update(frame, {}, caller))
   {
     return &this->Result;
   }

@@ -16,11 +16,8 @@ public:
   /**
    * Returns the spheres of a frame, collected again if they may have changed. The result is valid
    * up to the next call. caller: the object that reports the error of negative or non-finite radii.
-   * withSplats: false where depth maps decide what hides a light. Splats are not in depth maps, so
-   * that light of splats within others would pass through them.
    */
-  const vtkIndirectBlockingSpheres* Update(
-    const vtkIndirectFrame& frame, vtkObject* caller, bool withSplats);
+  const vtkIndirectBlockingSpheres* Update(const vtkIndirectFrame& frame, vtkObject* caller);
   /** Drops the spheres; no stage needs them. */
   void Forget();
 

@@ -2,7 +2,6 @@
 #include "Pipeline/vtkIndirectSphereMotion.h"
 
 #include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectInformationKeys.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxyLight.h"
 
@@ -34,8 +33,7 @@ void vtkIndirectSphereMotion::Update(const vtkIndirectFrame& frame, bool hasSun,
   {
     this->Changes = this->Idle = 0;
   }
-  const double splats = CountSplats(frame);
-  if (this->Changes < LeastChanges && splats == 0.0)
+  if (this->Changes < LeastChanges)
   {
     this->What.clear();
     this->WhyNot.clear();
@@ -43,32 +41,14 @@ void vtkIndirectSphereMotion::Update(const vtkIndirectFrame& frame, bool hasSun,
     this->Moved = this->Moved && !this->Props.empty();
     return;
   }
-  if (splats > 0.0)
-  {
-    this->What = std::to_string(static_cast<long long>(splats)) + " splats look like spheres";
-  }
-  else if (moved > 0.0)
+  if (moved > 0.0)
   {
     this->What =
       std::to_string(static_cast<long long>(moved)) + " spheres have moved in frames on end";
   }
   this->WhyNot =
-    hasSun ? "the environment has a sun, whose shadows they blur" : this->FindWhyNot(frame, splats);
+    hasSun ? "the environment has a sun, whose shadows they blur" : this->FindWhyNot(frame);
   this->Moved = this->WhyNot.empty();
-}
-
-//------------------------------------------------------------------------------
-double vtkIndirectSphereMotion::CountSplats(const vtkIndirectFrame& frame)
-{
-  double splats = 0.0;
-  for (vtkProp* prop : frame.Props)
-  {
-    if (vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows()))
-    {
-      splats += vtkIndirectProxyKinds::FindSpheres(prop).NumberOfSplats;
-    }
-  }
-  return splats;
 }
 
 //------------------------------------------------------------------------------
@@ -99,8 +79,9 @@ double vtkIndirectSphereMotion::FindMovedSpheres(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectSphereMotion::FindWhyNot(const vtkIndirectFrame& frame, double spheres)
+std::string vtkIndirectSphereMotion::FindWhyNot(const vtkIndirectFrame& frame)
 {
+  double spheres = 0.0;
   std::string why;
   size_t polygons = 0;
   for (const vtkIndirectCaster& caster : frame.Casters)

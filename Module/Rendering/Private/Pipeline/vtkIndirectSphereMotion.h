@@ -7,9 +7,6 @@
 // vtkIndirectPlan::Interactive), otherwise with the ninth unmoved frame in succession: data often
 // come more slowly than a camera turns, and the picture must not change in between. Eyes and tiles
 // of one picture have the same result.
-//
-// Splats that are cut off like spheres are in no depth map. With such splats all frames count as
-// motion, still ones too, so that their shadows do not come and go.
 #pragma once
 
 #include "Frame/vtkIndirectKey.h"           // for a member
@@ -40,9 +37,8 @@ public:
   void Forget();
 
 private:
-  static double CountSplats(const vtkIndirectFrame& frame);
   double FindMovedSpheres(const vtkIndirectFrame& frame);
-  std::string FindWhyNot(const vtkIndirectFrame& frame, double spheres);
+  std::string FindWhyNot(const vtkIndirectFrame& frame);
 
   struct Before
   {

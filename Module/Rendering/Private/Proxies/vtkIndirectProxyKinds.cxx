@@ -7,7 +7,6 @@
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 
@@ -102,11 +101,7 @@ vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::FindSpheres(vtkProp* prop)
     {
       vtkMapper* mapper = actor->GetMapper();
       const MapperType type = FindType(mapper);
-      if (type == SPLATS)
-      {
-        kind.NumberOfSplats += IsOfCutSplats(actor) ? Count(mapper, vtkDataObject::POINT) : 0.0;
-      }
-      else if (type != MESH)
+      if (type != MESH && type != SPLATS)
       {
         kind.NumberOfSpheres += (type == STICKS ? vtkIndirectProxySticks::MostSpheresOfAStick : 1) *
           Count(mapper, type == MOLECULE ? vtkDataObject::VERTEX : vtkDataObject::POINT);
@@ -115,15 +110,6 @@ vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::FindSpheres(vtkProp* prop)
       }
     });
   return kind;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectProxyKinds::IsOfCutSplats(vtkActor* actor)
-{
-  auto* mapper = vtkPointGaussianMapper::SafeDownCast(actor->GetMapper());
-  const char* code = mapper ? mapper->GetSplatShaderCode() : nullptr;
-  return code && std::strstr(code, "discard") && mapper->GetScaleFactor() > 0.0 &&
-    !mapper->GetEmissive() && actor->GetProperty()->GetOpacity() >= 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -151,8 +137,7 @@ vtkIndirectProxyKinds::Kind vtkIndirectProxyKinds::Find(
         kind.NumberOfSpheres +=
           2.0 * vtkIndirectProxySticks::MostSpheresOfAStick * Count(mapper, vtkDataObject::EDGE);
       }
-      else if ((type == MESH || type == SPLATS) &&
-        actor->GetProperty()->GetRepresentation() == VTK_SURFACE)
+      else if (type == MESH && actor->GetProperty()->GetRepresentation() == VTK_SURFACE)
       {
         AddMesh(mapper, shapes, kind);
       }

@@ -8,7 +8,6 @@
 
 #include <string> // for reasons
 
-class vtkActor;
 class vtkMapper;
 class vtkProp;
 
@@ -37,7 +36,6 @@ struct Kind
 {
   /** Balls that a mapper draws by itself: atoms, particles, spherical glyphs. */
   double NumberOfSpheres = 0.0;
-  double NumberOfSplats = 0.0; // see IsOfCutSplats
   size_t NumberOfPolygons = 0; // flat and convex
   /** This is the content for which vtkProxyAccumulationPass has no exact representation; empty if
    * there is none. */
@@ -45,12 +43,9 @@ struct Kind
   vtkIndirectKey Places; // the inputs of the spheres' positions
 };
 
-/** Counts the spheres of mappers that draw only spheres, and splats; without reasons in Other, and
- * without examining meshes. */
+/** Counts the spheres of mappers that draw only spheres; without reasons in Other, and without
+ * examining meshes. */
 Kind FindSpheres(vtkProp* prop);
-/** Returns true if an actor draws opaque splats that its shader code clips by `discard`, so that
- * they look like spheres. Other splats fade out and are translucent. */
-bool IsOfCutSplats(vtkActor* actor);
 /** Examines all of a prop, meshes with `shapes`. */
 Kind Find(vtkProp* prop, vtkIndirectProxyShapes& shapes);
 /** Returns the reason why the glyphs of a vtkGlyph3DMapper are not spheres; empty if they are. */

@@ -3,11 +3,10 @@
 
 #include "Frame/vtkIndirectActors.h"
 #include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectInformationKeys.h"
+#include "Frame/vtkIndirectImpostors.h"
 #include "Frame/vtkIndirectMaterial.h"
 #include "Frame/vtkIndirectPropKind.h"
 #include "Frame/vtkIndirectReport.h"
-#include "Frame/vtkIndirectRevision.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxySticks.h"
 #include "Visibility/vtkIndirectGlyphs.h"
@@ -21,7 +20,6 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPointData.h"
-#include "vtkPointGaussianMapper.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -33,14 +31,6 @@ using vtkIndirectActors::ForEachBlock;
 
 namespace
 {
-// Access to protected members of VTK.
-struct SphereAccess : public vtkOpenGLSphereMapper
-{
-  static const char* GetArray(vtkOpenGLSphereMapper* mapper)
-  {
-    return mapper->*(&SphereAccess::ScaleArray);
-  }
-};
 const char* const NoBlockers = "they block no indirect light; the result is too bright";
 
 // Returns the polygons of a mapper that draws them unchanged, or of data sets.
@@ -54,20 +44,6 @@ vtkDataObject* FindMeshes(vtkMapper* mapper)
     return inner ? inner->GetInput() : nullptr;
   }
   return input;
-}
-
-bool IsOfSplats(vtkActor* actor)
-{
-  return vtkIndirectProxyKinds::FindType(actor->GetMapper()) == vtkIndirectProxyKinds::SPLATS;
-}
-
-// Returns true if an actor, or one in an assembly, draws splats.
-bool HasSplats(vtkProp* prop)
-{
-  bool any = false;
-  vtkIndirectActors::ForEach(
-    prop, [&any](vtkActor* actor, vtkMatrix4x4*) { any = any || IsOfSplats(actor); });
-  return any;
 }
 }
 
@@ -86,37 +62,14 @@ struct vtkIndirectProxyScene::Part
 
 //------------------------------------------------------------------------------
 bool vtkIndirectProxyScene::Update(
-  const vtkIndirectFrame& frame, const Given& given, vtkObject* caller, bool withSplats)
+  const vtkIndirectFrame& frame, const Given& given, vtkObject* caller)
 {
-  struct Drawn
-  {
-    vtkProp* Prop;
-    bool Sends;
-    bool SplatsAlone = false;
-  };
-  std::vector<Drawn> drawn;
-  for (const vtkIndirectCaster& caster : frame.Casters)
-  {
-    drawn.push_back({ caster.Prop, caster.SendsLight });
-  }
-  // Splats have no surface and are no casters, but some of them look like spheres.
-  for (vtkProp* prop : frame.Props)
-  {
-    if (withSplats && HasSplats(prop) &&
-      vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::CastsShadows()) &&
-      std::none_of(frame.Casters.begin(), frame.Casters.end(),
-        [prop](const vtkIndirectCaster& caster) { return caster.Prop == prop; }))
-    {
-      drawn.push_back({ prop, true, true });
-    }
-  }
   vtkIndirectKey key;
   frame.AppendUnitsTo(key);
-  for (const Drawn& item : drawn)
+  for (const vtkIndirectCaster& caster : frame.Casters)
   {
-    key.AddAddress("props", item.Prop).Add("props", vtkIndirectRevision::Find(item.Prop));
-    key.Add("props", item.Sends);
-    const auto known = given.find(item.Prop);
+    caster.AppendTo(key);
+    const auto known = given.find(caster.Prop);
     key.Add("given spheres", known == given.end() ? nullptr : known->second);
   }
   if (!this->Key.Take(std::move(key)))
@@ -131,18 +84,14 @@ bool vtkIndirectProxyScene::Update(
   this->Exact = this->OfSticks = this->Fitted = this->Wrong = this->Sheets = 0;
   this->SceneCenter = frame.SceneCenter;
   this->SceneScale = frame.SceneScale;
-  for (const Drawn& item : drawn)
+  for (const vtkIndirectCaster& caster : frame.Casters)
   {
     const size_t before = this->Spheres.size();
-    vtkIndirectActors::ForEach(item.Prop,
+    vtkIndirectActors::ForEach(caster.Prop,
       [&](vtkActor* actor, vtkMatrix4x4* matrix)
       {
-        if (item.SplatsAlone && !IsOfSplats(actor))
-        {
-          return;
-        }
         const glm::dmat4 toWorld = vtkIndirectFrame::ToGLM(matrix);
-        Part part = { actor, actor->GetMapper(), item.Prop, item.Sends,
+        Part part = { actor, actor->GetMapper(), caster.Prop, caster.SendsLight,
           actor->GetProperty()->GetInterpolation() == VTK_PBR, toWorld, frame.ToScene(toWorld),
           frame.SceneScale * std::cbrt(std::abs(glm::determinant(glm::dmat3(toWorld)))) };
         for (int i = 0; i < 3; ++i)
@@ -158,7 +107,7 @@ bool vtkIndirectProxyScene::Update(
       });
     if (this->Spheres.size() > before)
     {
-      this->Props.push_back(item.Prop);
+      this->Props.push_back(caster.Prop);
     }
   }
   this->Shapes.Forget();
@@ -295,8 +244,7 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
   {
     auto* spheres = vtkOpenGLSphereMapper::SafeDownCast(part.Mapper);
     ForEachBlock<vtkDataSet>(spheres->GetInputDataObject(0, 0),
-      [&](vtkDataSet* data)
-      { this->AddPoints(part, data, SphereAccess::GetArray(spheres), spheres->GetRadius()); });
+      [&](vtkDataSet* data) { this->AddPoints(part, data, spheres->GetRadius()); });
     this->Exact += this->Spheres.size() - before;
   }
   else if (type == Kinds::STICKS)
@@ -314,8 +262,8 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
   }
   else if (type == Kinds::SPLATS)
   {
-    this->AddGaussians(part);
-    this->Exact += this->Spheres.size() - before;
+    this->LeaveOut("splats without an edge",
+      "they hide no light: a sphere's shader code cuts them off by `discard`, with Emissive off");
   }
   else if (type == Kinds::GLYPHS)
   {
@@ -337,10 +285,9 @@ void vtkIndirectProxyScene::AddActor(const Part& part)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectProxyScene::AddPoints(
-  const Part& part, vtkDataSet* data, const char* array, double radius)
+void vtkIndirectProxyScene::AddPoints(const Part& part, vtkDataSet* data, double radius)
 {
-  vtkDataArray* sizes = array ? data->GetPointData()->GetArray(array) : nullptr;
+  vtkDataArray* sizes = vtkIndirectImpostors::FindRadii(part.Mapper, data);
   const vtkIndirectMaterial material(part.Actor, part.Mapper, data);
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
@@ -348,42 +295,6 @@ void vtkIndirectProxyScene::AddPoints(
     data->GetPoint(i, place);
     this->Add(part, place, sizes ? sizes->GetComponent(i, 0) : radius, material.Get(i), true);
   }
-}
-
-//------------------------------------------------------------------------------
-// Adds splats whose shader clips them to a disk, of radius one in its coordinates; other splats
-// fade out and are translucent.
-void vtkIndirectProxyScene::AddGaussians(const Part& part)
-{
-  auto* mapper = vtkPointGaussianMapper::SafeDownCast(part.Mapper);
-  if (!vtkIndirectProxyKinds::IsOfCutSplats(part.Actor))
-  {
-    this->LeaveOut("splats without an edge",
-      "they hide no light: a sphere's shader code cuts them off by `discard`, with Emissive off");
-    return;
-  }
-  vtkPiecewiseFunction* function = mapper->GetScaleFunction();
-  if (function)
-  {
-    this->LeaveOut("ScaleFunction of vtkPointGaussianMapper", "radii are those of the array");
-  }
-  ForEachBlock<vtkDataSet>(mapper->GetInputDataObject(0, 0),
-    [&](vtkDataSet* data)
-    {
-      vtkDataArray* sizes =
-        mapper->GetScaleArray() ? data->GetPointData()->GetArray(mapper->GetScaleArray()) : nullptr;
-      const int component = sizes ? std::min(std::max(mapper->GetScaleArrayComponent(), 0),
-                                      sizes->GetNumberOfComponents() - 1)
-                                  : 0;
-      const vtkIndirectMaterial material(part.Actor, mapper, data);
-      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
-      {
-        double place[3];
-        data->GetPoint(i, place);
-        const double size = sizes ? sizes->GetComponent(i, component) : 1.0;
-        this->Add(part, place, size * mapper->GetScaleFactor(), material.Get(i), true);
-      }
-    });
 }
 
 //------------------------------------------------------------------------------

@@ -41,11 +41,9 @@ public:
 
   /**
    * Collects the casters of a frame, in scene units. Returns true if anything may have changed
-   * since the last call. caller: reports negative or infinite radii. withSplats: collects splats
-   * that look like spheres, too.
+   * since the last call. caller: reports negative or infinite radii.
    */
-  bool Update(
-    const vtkIndirectFrame& frame, const Given& given, vtkObject* caller, bool withSplats = true);
+  bool Update(const vtkIndirectFrame& frame, const Given& given, vtkObject* caller);
 
   const std::vector<vtkIndirectProxySphere>& GetSpheres() const { return this->Spheres; }
   /** Returns true if a sphere contains the position, in scene units. */
@@ -71,8 +69,7 @@ private:
   struct Part;
   void AddPart(const Part& part, const Given& given);
   void AddActor(const Part& part);
-  void AddPoints(const Part& part, vtkDataSet* data, const char* array, double radius);
-  void AddGaussians(const Part& part);
+  void AddPoints(const Part& part, vtkDataSet* data, double radius);
   bool AddGlyphs(const Part& part);
   bool AddGlyphs(const Part& part, vtkDataSet* data);
   void AddMesh(const Part& part, vtkPolyData* mesh);

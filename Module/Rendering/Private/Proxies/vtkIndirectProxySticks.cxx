@@ -1,36 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxySticks.h"
 
+#include "Frame/vtkIndirectImpostors.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkMath.h"
-#include "vtkOpenGLStickMapper.h"
-#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
-
-namespace
-{
-// Access to protected members of VTK.
-struct StickAccess : public vtkOpenGLStickMapper
-{
-  static const char* GetScale(vtkOpenGLStickMapper* mapper)
-  {
-    return mapper->*(&StickAccess::ScaleArray);
-  }
-  static const char* GetOrientation(vtkOpenGLStickMapper* mapper)
-  {
-    return mapper->*(&StickAccess::OrientationArray);
-  }
-};
-
-vtkDataArray* FindVectors(vtkDataSet* data, const char* name)
-{
-  vtkDataArray* array = name ? data->GetPointData()->GetArray(name) : nullptr;
-  return array && array->GetNumberOfComponents() == 3 ? array : nullptr;
-}
-}
 
 //------------------------------------------------------------------------------
 int vtkIndirectProxySticks::FindRow(double length, double radius, double& radiusOfSpheres)
@@ -64,9 +41,8 @@ int vtkIndirectProxySticks::FindRowInside(double length, double radius)
 void vtkIndirectProxySticks::ForEach(vtkMapper* mapper, vtkDataSet* data, RowType type,
   const std::function<void(vtkIdType, const double[3], double)>& call)
 {
-  auto* sticks = vtkOpenGLStickMapper::SafeDownCast(mapper);
-  vtkDataArray* scales = sticks ? FindVectors(data, StickAccess::GetScale(sticks)) : nullptr;
-  vtkDataArray* ways = sticks ? FindVectors(data, StickAccess::GetOrientation(sticks)) : nullptr;
+  vtkDataArray* scales = vtkIndirectImpostors::FindStickScales(mapper, data);
+  vtkDataArray* ways = vtkIndirectImpostors::FindStickDirections(mapper, data);
   if (!scales || !ways)
   {
     return;

@@ -60,7 +60,6 @@ void vtkIndirectSurfaces::Update(
   const vtkIndirectFrame& frame, const vtkIndirectBlockingSpheres* spheres)
 {
   const vtkIndirectKey key = MakeKey(frame);
-  // Splats may be drawn as spheres, although they are no casters.
   vtkIndirectKey spheresKey;
   spheresKey.Add("spheres", spheres != nullptr)
     .Add("spheres", spheres ? spheres->NumberOfUpdates : 0);

@@ -227,6 +227,21 @@ vec2 vtkiDepthSlope(float depth)
   return vec2(dFdx(s), dFdy(s)) * ((positional ? depth : 1.0f) / vtkiMapLight.y);
 }
 
+// Returns the normal of the sphere that VTK draws around a place, and the pixel's place on it, in
+// view coordinates. VTK draws spheres as if their centres were straight ahead, with `normal`. Beside
+// the sphere's edge the pixel has the edge's place. radius: of the sphere, over depth in a
+// perspective.
+vec3 vtkiFindSurface(vec3 middle, vec3 normal, float radius, bool parallel, out vec3 place)
+{
+  float r = radius * (parallel ? 1.0f : -middle.z);
+  vec3 way = normalize(vec3(middle.xy + r * normal.xy, middle.z));
+  vec3 beside = middle - dot(middle, way) * way; // from the pixel's ray to the centre
+  vec3 found = normalize(-beside - sqrt(max(r * r - dot(beside, beside), 0.0f)) * way);
+  found = parallel ? normal : found;
+  place = middle + r * found;
+  return found;
+}
+
 // vtkiDepthSlope of the plane through a position, in view coordinates, with this normal.
 vec2 vtkiNormalSlope(vec3 normal, vec3 place)
 {
