@@ -87,7 +87,8 @@ struct vtkiOther
 };
 
 // Finds the nearest flat surface that meets the receiver's own in a crease, at eight pixels in each
-// of some rings, and the nearest facet that meets the receiver's facet in a fold.
+// of some rings, and the nearest facet in the first ring that meets the receiver's facet in a fold:
+// farther facets are no neighbours, and light would enter closed bodies beside them.
 vtkiOther vtkiFindOtherSurface(ivec2 pixel, vtkiReceiver receiver, int rings, int far, out vtkiOther fold)
 {
   float nearest = 16.0f * VTKI_CREASE_REACH * VTKI_CREASE_REACH;
@@ -104,7 +105,7 @@ vtkiOther vtkiFindOtherSurface(ivec2 pixel, vtkiReceiver receiver, int rings, in
     bool there = vtkiFetchNeighbor(at, position, facet);
     vec3 apart = position - receiver.positionVC;
     float apart2 = dot(apart, apart);
-    bool folds = there && apart2 < nearestFold &&
+    bool folds = there && i < 8 && apart2 < nearestFold &&
       vtkiMeetsInCrease(receiver.facetVC, facet, apart, VTKI_FOLD_COSINE);
     nearestFold = folds ? apart2 : nearestFold;
     fold.offset = folds ? apart : fold.offset;
