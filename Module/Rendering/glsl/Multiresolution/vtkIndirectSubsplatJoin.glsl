@@ -35,11 +35,14 @@ struct vtkiJoin
 
 // Returns the number of the pixel at which a texel is evaluated (vtkiSubsplatPixel): the lit one nearest
 // to the middle where the texel holds several surfaces or its middle shows none, since the plane there
-// goes on beyond the end of the surface; otherwise 0.
-int vtkiFindPixel(ivec2 texel, bool mixed)
+// goes on beyond the end of the surface; otherwise 0. Pixels farther than `farthest` do not count: a
+// thing before others keeps its sample, the others have samples around.
+int vtkiFindPixel(ivec2 texel, bool mixed, float farthest)
 {
   vec2 middle = vtkiPixelInTexel(texel, vtkiEdge, 0);
-  bool whole = !mixed && vtkiSurfaceIsLit(textureLod(vtkiSurface, middle / vec2(vtkiSize), 0.0f));
+  // In a square of two pixels the middle is nearer to all pixels than these are to each other.
+  bool whole = !mixed &&
+    (vtkiEdge < 4.0f || vtkiSurfaceIsLit(textureLod(vtkiSurface, middle / vec2(vtkiSize), 0.0f)));
   int count = whole ? 0 : VTKI_SUBSPLAT_PIXELS * VTKI_SUBSPLAT_PIXELS;
   float least = 1.0e30f;
   int nearest = 0;
@@ -47,8 +50,9 @@ int vtkiFindPixel(ivec2 texel, bool mixed)
   {
     vec2 at = vtkiPixelInTexel(texel, vtkiEdge, i);
     vec2 apart = at - middle;
-    bool nearer = dot(apart, apart) < least &&
-      vtkiSurfaceIsLit(textureLod(vtkiSurface, at / vec2(vtkiSize), 0.0f));
+    vec4 surface = textureLod(vtkiSurface, at / vec2(vtkiSize), 0.0f);
+    bool nearer = dot(apart, apart) < least && vtkiSurfaceIsLit(surface) &&
+      vtkiSurfaceDepth(surface) <= farthest;
     least = nearer ? dot(apart, apart) : least;
     nearest = nearer ? i : nearest;
   }
@@ -144,7 +148,7 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
       vtkiLightingThreshold * cosine * cosine;
 #endif
   float depth;
-  int number = vtkiFindPixel(texel, mixed);
+  int number = vtkiFindPixel(texel, mixed, nearest + width);
   if (mixed)
   {
     // No plane fits a mixture of surfaces: the sample lies at the pixel, which the eye sees. The plane

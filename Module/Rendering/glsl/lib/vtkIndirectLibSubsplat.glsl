@@ -74,10 +74,10 @@ float vtkiPlaneDepth(
 /* Returns the irradiance at a receiver whose normal differs from that of the evaluation, to first
  * order. irradiance: as evaluated, of luminance > 0; projection: dot product of the vector
  * irradiance with the receiver's normal. Lights above only one of the two horizons cause an error,
- * so the correction is limited to a factor of two. */
+ * so the correction is limited to a factor from an eighth to two. */
 float vtkiNormalCorrection(float luminance, float projection)
 {
-  return luminance > 0.0f ? min(max(projection / luminance, 0.0f), 2.0f) : 1.0f;
+  return luminance > 0.0f ? min(max(projection / luminance, 0.125f), 2.0f) : 1.0f;
 }
 
 /* Returns the curvature that one virtual light gives to the irradiance at a receiver, over the
