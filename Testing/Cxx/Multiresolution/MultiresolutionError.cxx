@@ -159,7 +159,7 @@ VTK_INDIRECT_TEST(FinestLevels)
     CheckAtMost(name + "RMSE over the mean, median frame", Percentile(errors[level], 0.5),
       median[level], "measured 0.023, 0.043, 0.078");
     CheckAtMost(name + "the same, worst frame", Percentile(errors[level], 1.0), worst[level],
-      "measured 0.42, 0.74, 1.00, of frame 501");
+      "measured 0.41, 0.74, 1.00, of frame 501");
   }
 }
 

@@ -40,9 +40,7 @@ struct vtkiJoin
 int vtkiFindPixel(ivec2 texel, bool mixed, float farthest)
 {
   vec2 middle = vtkiPixelInTexel(texel, vtkiEdge, 0);
-  // In a square of two pixels the middle is nearer to all pixels than these are to each other.
-  bool whole = !mixed &&
-    (vtkiEdge < 4.0f || vtkiSurfaceIsLit(textureLod(vtkiSurface, middle / vec2(vtkiSize), 0.0f)));
+  bool whole = !mixed && vtkiSurfaceIsLit(textureLod(vtkiSurface, middle / vec2(vtkiSize), 0.0f));
   int count = whole ? 0 : VTKI_SUBSPLAT_PIXELS * VTKI_SUBSPLAT_PIXELS;
   float least = 1.0e30f;
   int nearest = 0;
