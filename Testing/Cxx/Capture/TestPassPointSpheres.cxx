@@ -75,6 +75,15 @@ struct CloudView : View
   }
   ~CloudView() { this->Pass->SetEnvironment(nullptr); }
 
+  void DrawPointsAsSpheres()
+  {
+    vtkNew<vtkPolyDataMapper> points;
+    points->SetInputData(this->Cloud);
+    this->Actor->SetMapper(points);
+    this->Actor->GetProperty()->SetPointSize(static_cast<float>(Diameter));
+    this->Actor->GetProperty()->RenderPointsAsSpheresOn();
+  }
+
   // The radius of a point of so many pixels: half of the width that these have at its depth.
   double FindRadius(const double at[3])
   {
@@ -204,11 +213,7 @@ VTK_INDIRECT_TEST(PointSpheresOfPixels)
     CloudView view;
     view.Renderer->GetActiveCamera()->SetParallelProjection(parallel);
     view.Renderer->GetActiveCamera()->SetParallelScale(1.3);
-    vtkNew<vtkPolyDataMapper> points;
-    points->SetInputData(view.Cloud);
-    view.Actor->SetMapper(points);
-    view.Actor->GetProperty()->SetPointSize(static_cast<float>(Diameter));
-    view.Actor->GetProperty()->RenderPointsAsSpheresOn();
+    view.DrawPointsAsSpheres();
     view.Renderer->SetPass(nullptr);
     view.Renderer->RemoveActor(view.Actor);
     const Pixels ground = view.Grab();
@@ -297,11 +302,7 @@ VTK_INDIRECT_TEST(PointSpheresOfPixels)
 VTK_INDIRECT_TEST(PointSpheresLast)
 {
   CloudView view;
-  vtkNew<vtkPolyDataMapper> points;
-  points->SetInputData(view.Cloud);
-  view.Actor->SetMapper(points);
-  view.Actor->GetProperty()->SetPointSize(static_cast<float>(Diameter));
-  view.Actor->GetProperty()->RenderPointsAsSpheresOn();
+  view.DrawPointsAsSpheres();
   view.Grab();
   vtkCamera* camera = view.Renderer->GetActiveCamera();
   for (int frame = 0; frame < 3; ++frame)
@@ -332,11 +333,7 @@ VTK_INDIRECT_TEST(PointSpheresOfColoredCells)
 {
   CloudView view;
   view.Cloud->GetCellData()->SetScalars(view.Colors);
-  vtkNew<vtkPolyDataMapper> points;
-  points->SetInputData(view.Cloud);
-  view.Actor->SetMapper(points);
-  view.Actor->GetProperty()->SetPointSize(static_cast<float>(Diameter));
-  view.Actor->GetProperty()->RenderPointsAsSpheresOn();
+  view.DrawPointsAsSpheres();
   view.Grab();
   const Floats ofCells = Read(view.Pass, "bounce");
   view.Cloud->GetCellData()->SetScalars(nullptr);

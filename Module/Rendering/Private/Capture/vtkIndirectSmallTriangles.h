@@ -41,7 +41,7 @@ private:
     float Y;
     float Z;
   };
-  // These are the centres in the bounds of a triangle.
+  // Range of texels whose centres lie within the bounds of a triangle.
   struct Centers
   {
     int Left;

@@ -219,7 +219,7 @@ struct vtkIndirectPointSpheres::StandIn
   bool PixelSized = false;
   double Pixels = 0.0; // diameter
 
-  // These are not in the actor: the stand-ins, and the actor's own while a Scope lives.
+  // The actor does not hold this pair: the stand-ins, and while a Scope lives the actor's own.
   vtkMapper* OtherMapper = nullptr;
   vtkProperty* OtherProperty = nullptr;
 
