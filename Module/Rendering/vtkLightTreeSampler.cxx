@@ -111,7 +111,7 @@ bool TreeLights::Update(const Input& input)
     automatic && input.Interactive ? std::min(this->Set.GetNumberOfLights(), MostLights) : wanted;
   // While only the camera moves, the lights of a still picture are kept.
   const bool enough = this->Count == most || this->Count == wanted;
-  const bool seen = this->Clusters.GetSeen() == input.Frame.Seen.Box || input.Interactive;
+  const bool seen = this->Clusters.GetSeen() == input.Frame.Seen.Near || input.Interactive;
   if (same && enough && seen && this->Automatic == automatic && this->Error == error)
   {
     return true;
@@ -149,12 +149,13 @@ bool TreeLights::Update(const Input& input)
     this->Clusters.SetSenders(std::move(senders));
     this->FurtherTime = furtherTime;
   }
-  this->Clusters.SetSeen(input.Frame.Seen.Box);
+  this->Clusters.SetSeen(input.Frame.Seen.Near);
   const vtkIndirectSenderClusters::LightTree lights = this->Clusters.MakeLights(
     std::vector<glm::dvec3>(this->Sources + this->FurtherMaps, glm::dvec3(1.0)), most, error,
     further ? vtkIndirectSenderClusters::NearnessOfBounces
             : vtkIndirectSenderClusters::StandardNearness,
-    automatic ? LeastLights : 0);
+    automatic ? LeastLights : 0,
+    vtkIndirectSenderClusters::FindMostNarrow(input.Frame, automatic ? most : 0));
   if (!this->Write(input.Frame, vtkIndirectSenderTexels::MakeRows(lights.Lights),
         vtkIndirectSenderTexels::MakeRows(lights.Branches)))
   {
@@ -171,6 +172,7 @@ vtkIndirectSamplerAbilities TreeLights::GetAbilities() const
 {
   vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
   abilities.TakesSenders = true;
+  abilities.MostLights = this->Set.GetAutomaticNumberOfLights() ? MostLights : 0;
   abilities.Divides = true;
   abilities.HasMore =
     this->Set.GetAutomaticNumberOfLights() && this->Count > 0 && this->Count < MostLights;

@@ -39,7 +39,7 @@ vtkIndirectKey MakeKey(const vtkIndirectSampler::Input& input,
   const vtkIndirectEmitters::List& emitters, const vtkIndirectRandomWalk::Settings& settings)
 {
   vtkIndirectKey key;
-  input.Frame.Seen.Box.AppendTo(key);
+  input.Frame.Seen.Near.AppendTo(key);
   key.Add("lights turn", input.LightsTurn);
   key.Add("number of vertices", settings.NumberOfVertices);
   key.Add("bounces", settings.FirstBounce).Add("bounces", settings.LastBounce);
@@ -212,7 +212,7 @@ bool WalkLights::Update(const Input& input)
     vtkIndirectFurtherSenders senders;
     this->FindSenders(senders);
     this->Clusters.SetSenders(std::move(senders.Senders));
-    this->Clusters.SetSeen(input.Frame.Seen.Box);
+    this->Clusters.SetSeen(input.Frame.Seen.Near);
     const vtkIndirectSenderClusters::LightTree found =
       this->Clusters.MakeLights(std::vector<glm::dvec3>(senders.NumberOfMaps, glm::dvec3(1.0)),
         this->Set.GetNumberOfLights(), error,

@@ -436,7 +436,7 @@ VTK_INDIRECT_TEST(SteadyLights)
   Clusters clusters;
   clusters.SetSenders(MakeFacingSquares());
   vtkIndirectSteadyLights steady;
-  steady.Make(clusters, NumberOfMaps, 64, true, Clusters::StandardNearness, 0);
+  steady.Make(clusters, NumberOfMaps, 64, true, Clusters::StandardNearness, 0, 0);
   Clusters other;
   other.SetSenders(MakeFacingSquares());
   const std::vector<glm::dvec3> equal(NumberOfMaps, glm::dvec3(1.0));

@@ -488,6 +488,17 @@ void vtkIndirectFrame::AppendUnitsTo(vtkIndirectKey& key) const
 }
 
 //------------------------------------------------------------------------------
+double vtkIndirectFrame::CountDepthTriangles() const
+{
+  double triangles = 0.0;
+  for (const vtkIndirectCaster& caster : this->Casters)
+  {
+    triangles += caster.Triangles;
+  }
+  return triangles;
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectFrame::AppendFitsTo(vtkIndirectKey& key) const
 {
   this->AppendUnitsTo(key);

@@ -214,6 +214,8 @@ struct vtkIndirectFrame
   void AppendUnitsTo(vtkIndirectKey& key) const;
   /** Appends the units and the boxes that depth maps are fitted to; after Seen is set. */
   void AppendFitsTo(vtkIndirectKey& key) const;
+  /** Returns about how many triangles a depth map of all casters draws. */
+  double CountDepthTriangles() const;
   /** Reports the props that take no part, one entry for each class and reason. */
   void AddToReport(vtkIndirectReport& report) const;
 

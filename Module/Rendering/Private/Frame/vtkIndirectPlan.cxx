@@ -40,16 +40,11 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.IndirectScale = settings.IndirectScale;
   plan.Interactive = IsInteractive(circumstances.UpdateRate);
   plan.WaitsForMaps = settings.MapsFirst && settings.Caching && !plan.Interactive;
-  double triangles = 0.0;
-  for (const vtkIndirectCaster& caster : frame.Casters)
-  {
-    triangles += caster.Triangles;
-  }
   // A picture that goes to a file is whole; applications that show such pictures set a rate.
   if (!circumstances.OffScreen || circumstances.UpdateRate > RateOfNobody)
   {
-    plan.TilesPerFrame = FindTilesPerFrame(
-      triangles, static_cast<double>(frame.Casters.size()), circumstances.UpdateRate);
+    plan.TilesPerFrame = FindTilesPerFrame(frame.CountDepthTriangles(),
+      static_cast<double>(frame.Casters.size()), circumstances.UpdateRate);
   }
   plan.NumberOfBounces =
     std::min(std::max(settings.NumberOfBounces, 1), estimator.MaximumNumberOfBounces);

@@ -10,6 +10,8 @@
 
 #include <algorithm> // for the larger number
 #include <cmath>     // for floor
+#include <cstddef>   // for places in a list
+#include <limits>    // for the largest number
 #include <vector>    // for places
 
 /**
@@ -44,8 +46,8 @@ struct vtkIndirectInterval
 };
 
 /**
- * A box around all that the eye sees. It counts where its largest side has an eighth of the area of
- * the scene's largest side, or less.
+ * A box around what the eye sees. It counts where its largest side has an eighth of the area of the
+ * scene's largest side, or less.
  */
 struct vtkIndirectSeenBox
 {
@@ -89,7 +91,12 @@ struct vtkIndirectSeen
     double Pixel = 0.0;   // width of a pixel of the picture there, scene units
   };
   std::vector<Place> Places; // at the pixels of a small picture
-  vtkIndirectSeenBox Box;
+  vtkIndirectSeenBox Box;    // around all of them
+  /**
+   * Around the nearer three quarters: a glimpse of the horizon does not make this box as large as
+   * the scene. Lights are finer near it.
+   */
+  vtkIndirectSeenBox Near;
 
   /** Returns a quarter of the area of a box's largest side. */
   static double FindArea(const glm::dvec3& half)
@@ -97,32 +104,51 @@ struct vtkIndirectSeen
     return std::max({ half.x * half.y, half.y * half.z, half.z * half.x });
   }
 
-  /** Finds the box. reach: the greatest coordinates of the scene, scene units. */
-  void FindBox(const glm::dvec3& reach)
+  /** Finds the boxes. reach: the greatest coordinates of the scene, scene units. */
+  void FindBoxes(const glm::dvec3& reach)
   {
     this->Box = {};
+    this->Near = {};
     if (this->Places.empty())
     {
       return;
     }
-    glm::dvec3 lower = this->Places.front().At;
-    glm::dvec3 upper = lower;
+    std::vector<double> pixels;
     for (const Place& place : this->Places)
     {
-      lower = glm::min(lower, place.At);
-      upper = glm::max(upper, place.At);
+      pixels.push_back(place.Pixel);
+    }
+    // Pixels are wider where they are farther.
+    const auto widest = pixels.begin() + static_cast<std::ptrdiff_t>(pixels.size() * 3 / 4);
+    std::nth_element(pixels.begin(), widest, pixels.end());
+    this->Near = this->FindBox(*widest, reach);
+    this->Box = this->FindBox(std::numeric_limits<double>::max(), reach);
+  }
+
+private:
+  // Finds a box around the places whose pixels are no wider.
+  vtkIndirectSeenBox FindBox(double widest, const glm::dvec3& reach) const
+  {
+    glm::dvec3 lower(std::numeric_limits<double>::max());
+    glm::dvec3 upper = -lower;
+    for (const Place& place : this->Places)
+    {
+      lower = place.Pixel <= widest ? glm::min(lower, place.At) : lower;
+      upper = place.Pixel <= widest ? glm::max(upper, place.At) : upper;
     }
     // Surfaces between the places may lie a little beside all of them.
     const glm::dvec3 margin = 0.0625 * (upper - lower);
+    vtkIndirectSeenBox box;
     for (int axis = 0; axis < 3; ++axis)
     {
       const vtkIndirectInterval held = vtkIndirectInterval::Find(
         lower[axis] - margin[axis], upper[axis] + margin[axis], reach[axis]);
-      this->Box.Middle[axis] = held.Middle;
-      this->Box.Half[axis] = held.Half;
+      box.Middle[axis] = held.Middle;
+      box.Half[axis] = held.Half;
     }
     // A larger part has its share of all lights and texels, and changes as the camera turns.
     constexpr double most = 0.125;
-    this->Box.IsPart = FindArea(this->Box.Half) <= most * FindArea(reach);
+    box.IsPart = FindArea(box.Half) <= most * FindArea(reach);
+    return box;
   }
 };

@@ -209,7 +209,8 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     // No stage reads the window of a positional light with a size: shadows come from its penumbra,
     // and senders from its map.
     const bool isRead = map.Light.Size == 0.0 || !map.Light.Positional;
-    if (plan.Shadows && isRead && layer < mostLayers)
+    const bool sends = this->Content >= SENDERS && frame.Seen.Near.IsPart;
+    if ((plan.Shadows || sends) && isRead && layer < mostLayers)
     {
       FittedWindow& fitted = this->FittedWindows[i];
       vtkIndirectKey inputs;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/constants.hpp>
 #include <limits>
 #include <queue>
 #include <utility>
@@ -35,6 +34,9 @@ constexpr double BrightnessLength = 0.05;
 // chance would be a bright spot as a cluster of its own: brighter places count as the upper end.
 constexpr double MostDimness = 4.0;
 constexpr double MostBrightness = 0.5;
+
+// The growth of the clusters' number from one question whether they are narrow to the next.
+constexpr double GrowthOfNumber = 1.4;
 
 // A lobe counts the turn of normals so much more than diffuse light does.
 constexpr double LobeTurn = 3.0;
@@ -112,7 +114,7 @@ void vtkIndirectSenderClusters::SetSenders(std::vector<Sender> senders)
   this->Weights.clear();
   this->Entries.clear();
   this->Clusters.clear();
-  this->Count = 0;
+  this->Wanted = {};
 }
 
 //------------------------------------------------------------------------------
@@ -154,6 +156,7 @@ vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
       second[axis] += weight * x * x;
     }
   }
+  cluster.Weight = total;
   double widest = 0.0;
   for (int axis = 0; axis < NumberOfAxes; ++axis)
   {
@@ -207,12 +210,13 @@ uint32_t vtkIndirectSenderClusters::FindMiddle(const Cluster& cluster) const
 }
 
 //------------------------------------------------------------------------------
-// Divides some of the entries into clusters, in their order. Makes no more than `least` clusters
-// once these are near enough.
+// Divides some of the entries into clusters, in their order. Makes no more than the least number
+// once these are near and narrow enough.
 std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divide(
-  size_t begin, size_t end, size_t least, size_t most)
+  size_t begin, size_t end, Numbers numbers)
 {
   std::vector<Cluster> clusters;
+  const size_t most = std::max(numbers.Near, numbers.Narrow);
   if (end - begin <= most)
   {
     for (size_t i = begin; i < end; ++i)
@@ -241,8 +245,17 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
     this->Nearness * (this->Seen.IsPart ? 2.0 * glm::length(this->Seen.Half) : 1.0);
   const double enough = nearness * nearness * total;
   double width = clusters.front().Width;
-  while (!queue.empty() && clusters.size() < most && (clusters.size() < least || width > enough))
+  while (!queue.empty() && clusters.size() < most)
   {
+    if (clusters.size() >= numbers.Least && (width <= enough || clusters.size() >= numbers.Near))
+    {
+      if (clusters.size() >= numbers.Narrow || this->AreNarrow(clusters))
+      {
+        break;
+      }
+      numbers.Least =
+        static_cast<size_t>(std::ceil(GrowthOfNumber * static_cast<double>(clusters.size())));
+    }
     const size_t top = queue.top();
     queue.pop();
     const Cluster cluster = clusters[top];
@@ -270,10 +283,10 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
 
 //------------------------------------------------------------------------------
 void vtkIndirectSenderClusters::DivideAll(
-  const std::vector<double>& weights, int count, bool divides)
+  const std::vector<double>& weights, const Numbers& numbers, bool divides)
 {
   this->Weights = weights;
-  this->Count = count;
+  this->Wanted = numbers;
   this->Divides = divides;
   this->Entries.clear();
   this->Clusters.clear();
@@ -306,14 +319,14 @@ void vtkIndirectSenderClusters::DivideAll(
           static_cast<float>(weight), static_cast<uint32_t>(i) });
     }
   }
-  const size_t most = static_cast<size_t>(std::max(count, 1));
-  this->Clusters = this->Divide(0, this->Entries.size(), divides ? this->Least : most, most);
+  this->Clusters = this->Divide(0, this->Entries.size(), numbers);
 }
 
 //------------------------------------------------------------------------------
 std::vector<std::vector<size_t>> vtkIndirectSenderClusters::FindGroups(int count)
 {
-  this->DivideAll({ 1.0 }, count, false);
+  const size_t number = static_cast<size_t>(std::max(count, 1));
+  this->DivideAll({ 1.0 }, { number, number, number }, false);
   std::vector<std::vector<size_t>> groups;
   for (const Cluster& cluster : this->Clusters)
   {
@@ -480,40 +493,14 @@ void vtkIndirectSenderClusters::AddLobe(
 }
 
 //------------------------------------------------------------------------------
-// The node gives at most E = DA / (pi d^2), of which a share of about (s / d)^4 is wrong; s is the
-// root of the spread.
-double vtkIndirectSenderClusters::FindChildDistance(double strength, double spread, double limit)
-{
-  const double sixth = strength * spread * spread / (glm::pi<double>() * limit);
-  return std::sqrt(std::max(std::cbrt(sixth) - spread, 0.0));
-}
-
-//------------------------------------------------------------------------------
-double vtkIndirectSenderClusters::FindChildDistance(const Light& light, double limit)
-{
-  return light.End - light.Begin < 2 || !(limit > 0.0)
-    ? 0.0
-    : FindChildDistance(Sum(light.DensityArea) / 3.0, light.Spread, limit);
-}
-
-//------------------------------------------------------------------------------
-// The irradiance on the sides of the box around the senders if none of their light left the box. It
-// is exact in a closed box. It is 0.8 to 2 times the irradiance that lights in rooms and on parts
-// give each other, and more on open ground; it is positive even if the lights face away from each
-// other.
-double vtkIndirectSenderClusters::FindMeanIrradiance(double flux) const
-{
-  return this->Sides > 0.0 ? flux / this->Sides : 0.0;
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSenderClusters::MakeBranches(
   size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all)
 {
   constexpr size_t perNode = vtkIndirectKernels::VTKI_BRANCHES_PER_NODE;
   const size_t first = top * vtkIndirectKernels::VTKI_BRANCHES;
   const Cluster& cluster = this->Clusters[top];
-  const std::vector<Cluster> children = this->Divide(cluster.Begin, cluster.End, perNode, perNode);
+  const std::vector<Cluster> children =
+    this->Divide(cluster.Begin, cluster.End, { perNode, perNode, perNode });
   for (size_t i = 0; i < children.size(); ++i)
   {
     Light child = this->MakeLight(children[i], strengths);
@@ -524,7 +511,7 @@ void vtkIndirectSenderClusters::MakeBranches(
     if (child.ChildDistance > 0.0)
     {
       const std::vector<Cluster> leaves =
-        this->Divide(children[i].Begin, children[i].End, perNode, perNode);
+        this->Divide(children[i].Begin, children[i].End, { perNode, perNode, perNode });
       double softening = 0.0;
       for (size_t k = 0; k < leaves.size(); ++k)
       {
@@ -541,17 +528,22 @@ void vtkIndirectSenderClusters::MakeBranches(
 
 //------------------------------------------------------------------------------
 vtkIndirectSenderClusters::LightTree vtkIndirectSenderClusters::MakeLights(
-  const std::vector<glm::dvec3>& strengths, int count, double error, double nearness, int least)
+  const std::vector<glm::dvec3>& strengths, int count, double error, double nearness, int least,
+  int narrow)
 {
   const std::vector<double> weights = FindWeights(strengths);
   const bool divides = error > 0.0;
-  const size_t fewest = static_cast<size_t>(least > 0 ? least : std::max((count + 1LL) / 2, 1LL));
-  if (weights != this->Weights || count != this->Count || divides != this->Divides ||
-    nearness != this->Nearness || fewest != this->Least)
+  Numbers numbers;
+  numbers.Near = static_cast<size_t>(std::max(count, 1));
+  numbers.Narrow = static_cast<size_t>(divides ? std::max(narrow, 0) : 0);
+  numbers.Least = !divides ? numbers.Near
+    : least > 0            ? static_cast<size_t>(least)
+                           : (numbers.Near + 1) / 2;
+  if (weights != this->Weights || divides != this->Divides || nearness != this->Nearness ||
+    !(numbers == this->Wanted))
   {
     this->Nearness = nearness;
-    this->Least = fewest;
-    this->DivideAll(weights, count, divides);
+    this->DivideAll(weights, numbers, divides);
   }
   LightTree lights;
   lights.Lights.reserve(this->Clusters.size());

@@ -19,6 +19,8 @@
 #include <glm/glm.hpp> // for vectors
 #include <vector>      // for lists
 
+struct vtkIndirectFrame;
+
 class vtkIndirectSenderClusters
 {
 public:
@@ -94,18 +96,25 @@ public:
   /**
    * Makes at most `count` lights of the senders, under lights of these strengths, one for each map.
    * If `error` is not 0, there may be as few as `least` lights, or half of them, once their light
-   * lies within `nearness` of the senders, root mean square. Without senders there are no lights;
-   * if there are no more senders than lights, each sender is a light. A light is divided where the
+   * lies within `nearness` of the senders, root mean square; and there may be as many as `narrow`,
+   * until they look narrow from the senders. Without senders there are no lights; if there are no
+   * more senders than lights, each sender is a light. A light is divided where the
    * error of the whole light exceeds `error` times the mean irradiance that the lights give each
    * other; 0: never.
    */
   LightTree MakeLights(const std::vector<glm::dvec3>& strengths, int count, double error,
-    double nearness = StandardNearness, int least = 0);
+    double nearness = StandardNearness, int least = 0, int narrow = 0);
   /**
    * This nearness suffices along connected surfaces; many small objects take all lights. Scene
    * units.
    */
   static constexpr double StandardNearness = 0.04;
+  /**
+   * Returns the number beyond which lights need not be narrower. Each depth map draws as many
+   * triangles as the casters have; all of them together take a second, or four where the eye sees a
+   * part of the scene, whose lights and receivers are near each other.
+   */
+  static int FindMostNarrow(const vtkIndirectFrame& frame, int most);
   /** This nearness suffices where later bounces spread light smoothly over all surfaces. */
   static constexpr double NearnessOfBounces = 0.05;
 
@@ -152,13 +161,27 @@ private:
     double Border = 0.0; // place along Axis at which it is divided
     double Order = 0.0;  // rank of its width: larger ones are divided first
     double Width = 0.0;  // light times squared distance from the mean, times the importance
+    double Weight = 0.0; // its light
     double Spread = 0.0; // mean squared distance of the light's places from their mean
+  };
+
+  /** Numbers of clusters. */
+  struct Numbers
+  {
+    size_t Least = 1;
+    size_t Near = 1;   // the number beyond which clusters need not be nearer
+    size_t Narrow = 1; // the number beyond which clusters need not be narrower
+    bool operator==(const Numbers& other) const
+    {
+      return this->Least == other.Least && this->Near == other.Near && this->Narrow == other.Narrow;
+    }
   };
 
   Cluster Measure(size_t begin, size_t end) const;
   uint32_t FindMiddle(const Cluster& cluster) const;
-  std::vector<Cluster> Divide(size_t begin, size_t end, size_t least, size_t most);
-  void DivideAll(const std::vector<double>& weights, int count, bool divides);
+  bool AreNarrow(const std::vector<Cluster>& clusters) const;
+  std::vector<Cluster> Divide(size_t begin, size_t end, Numbers numbers);
+  void DivideAll(const std::vector<double>& weights, const Numbers& numbers, bool divides);
   Light MakeLight(const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const;
   void CloseBowl(
     const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
@@ -170,8 +193,7 @@ private:
   std::vector<Sender> Senders;
   vtkIndirectSeenBox Seen;
   std::vector<double> Weights; // weights of maps
-  int Count = 0;
-  size_t Least = 1;
+  Numbers Wanted;
   double Nearness = 0.0;
   bool Divides = false; // true if lights are divided into branches
   double Sides = 0.0;   // area of the sides of the box around the senders

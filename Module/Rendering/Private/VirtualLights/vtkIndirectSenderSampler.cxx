@@ -40,6 +40,7 @@ void vtkIndirectSenderSampler::Follow(const vtkIndirectSamplerAbilities& sampler
   // Reflected light of emitters that turn is a mild part of all light: on six scenes pictures of
   // half as many lights differ by as little from those of many.
   this->NumberOfLights = steady ? std::max(sampler.NumberOfLights / 2, 1) : sampler.NumberOfLights;
+  this->MostLights = steady ? sampler.MostLights : 0;
   if (sampler.Divides != this->Divides || steady != this->Steady)
   {
     ++this->SourceTime;
@@ -54,6 +55,8 @@ vtkIndirectSamplerAbilities vtkIndirectSenderSampler::GetAbilities() const
 {
   vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
   abilities.TakesSenders = this->Steady;
+  abilities.HasMore = this->Steady && this->MadeCount > 0 &&
+    this->MadeCount < std::max(this->NumberOfLights, this->Narrow);
   return abilities;
 }
 
@@ -130,10 +133,13 @@ bool vtkIndirectSenderSampler::DrawMaps(
     this->EmittersHaveMoved = this->EmittersHaveMoved || dark != this->Emitters.end();
     this->Emitters.erase(dark, this->Emitters.end());
   }
-  if (!this->SceneIsNew && !this->EmittersHaveMoved)
+  // While the camera moves, the maps' windows stay.
+  const bool seen = this->SeenByMaps == frame.Seen.Near || plan.Interactive;
+  if (!this->SceneIsNew && !this->EmittersHaveMoved && seen)
   {
     return true;
   }
+  this->SeenByMaps = frame.Seen.Near;
   this->EmittersHaveMoved = false;
   // The maps are drawn of the same scene under the emitters, of colour one: maps do not depend on
   // how much light there is.
@@ -184,7 +190,8 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
 //------------------------------------------------------------------------------
 bool vtkIndirectSenderSampler::Update(const Input& input)
 {
-  const bool anew = this->SendersTime != this->Maps.GetContentTime();
+  const vtkMTimeType time = std::max(this->Maps.GetContentTime(), this->Maps.GetWindowTime());
+  const bool anew = this->SendersTime != time;
   if (anew)
   {
     this->SendersTime = 0;
@@ -193,7 +200,7 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
     {
       return false;
     }
-    this->SendersTime = this->Maps.GetContentTime();
+    this->SendersTime = time;
   }
   const double error = vtkIndirectSenderClusters::FindError(input.ErrorTolerance);
   if (this->Steady)
@@ -207,11 +214,11 @@ bool vtkIndirectSenderSampler::Update(const Input& input)
       input, this->SteadyLights.Relight(this->Clusters, this->FindStrengths(), error), error);
   }
   if (!anew && this->MadeTime == this->SourceTime && this->MadeCount == this->NumberOfLights &&
-    this->Clusters.GetSeen() == input.Frame.Seen.Box)
+    this->Clusters.GetSeen() == input.Frame.Seen.Near)
   {
     return true;
   }
-  this->Clusters.SetSeen(input.Frame.Seen.Box);
+  this->Clusters.SetSeen(input.Frame.Seen.Near);
   this->MadeCount = this->NumberOfLights;
   return this->WriteLights(input,
     this->Clusters.MakeLights(
@@ -228,8 +235,11 @@ bool vtkIndirectSenderSampler::MakeSteadyLights(const Input& input, bool anew)
   const size_t furtherTime = further ? further->Time : 0;
   const bool joined = !anew && this->FurtherTime == furtherTime;
   // While the camera moves, lights stay.
-  const bool seen = this->Clusters.GetSeen() == input.Frame.Seen.Box || input.Interactive;
-  if (joined && seen && this->MadeCount == this->NumberOfLights)
+  const bool seen = this->Clusters.GetSeen() == input.Frame.Seen.Near || input.Interactive;
+  this->Narrow = vtkIndirectSenderClusters::FindMostNarrow(input.Frame, this->MostLights);
+  const int wanted = std::max(this->NumberOfLights, this->Narrow);
+  const int most = input.Interactive ? this->NumberOfLights : wanted;
+  if (joined && seen && (this->MadeCount == most || this->MadeCount == wanted))
   {
     return true;
   }
@@ -243,13 +253,13 @@ bool vtkIndirectSenderSampler::MakeSteadyLights(const Input& input, bool anew)
     this->Clusters.SetSenders(std::move(senders));
     this->FurtherTime = furtherTime;
   }
-  this->Clusters.SetSeen(input.Frame.Seen.Box);
+  this->Clusters.SetSeen(input.Frame.Seen.Near);
   this->SteadyLights.Make(this->Clusters, this->Emitters.size(), this->NumberOfLights,
     this->Divides,
     further ? vtkIndirectSenderClusters::NearnessOfBounces
             : vtkIndirectSenderClusters::StandardNearness,
-    LeastSteadyLights);
-  this->MadeCount = this->NumberOfLights;
+    LeastSteadyLights, most);
+  this->MadeCount = most;
   return false;
 }
 

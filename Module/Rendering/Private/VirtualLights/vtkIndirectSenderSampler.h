@@ -73,6 +73,8 @@ private:
   std::vector<vtkIndirectSenderClusters::Sender> FromMaps; // kept for steady lights
   size_t FurtherTime = 0;
   int NumberOfLights = 256;
+  int MostLights = 0;   // an automatic number of steady lights may grow up to this one
+  int Narrow = 0;       // the number up to which the frame's lights may grow
   bool Divides = false; // true if the lights have branches
 
   vtkIndirectEmitters::List Emitters; // in the order of their maps; dark ones have lost their light
@@ -84,7 +86,8 @@ private:
   bool MapsAreThere = false;
   bool SceneIsNew = false; // a caster has changed since the last frame
   bool Hasty = false;
-  vtkIndirectKey Scene; // the casters that the maps show
+  vtkIndirectKey Scene;          // the casters that the maps show
+  vtkIndirectSeenBox SeenByMaps; // what the maps' windows are fitted to
   vtkMTimeType SendersTime = 0;
 
   size_t SourceTime = 0;

@@ -59,9 +59,12 @@ bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
       std::any_of(windows.begin(), windows.end(),
         [&](const Window& window)
         {
+          if (window.Light != static_cast<int>(d[3]))
+          {
+            return false;
+          }
           const glm::dvec2 at = glm::abs(glm::dvec2(window.View.ToView(glm::dvec3(place))));
-          return window.Light == static_cast<int>(d[3]) &&
-            glm::all(glm::lessThanEqual(at, window.View.HalfWidth));
+          return glm::all(glm::lessThanEqual(at, window.View.HalfWidth));
         });
     if (replaced)
     {

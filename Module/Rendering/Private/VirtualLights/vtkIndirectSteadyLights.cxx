@@ -42,10 +42,10 @@ vtkIndirectSteadyLights::Transfers vtkIndirectSteadyLights::FindTransfers(
 
 //------------------------------------------------------------------------------
 void vtkIndirectSteadyLights::Make(vtkIndirectSenderClusters& clusters, size_t maps, int count,
-  bool divides, double nearness, int least)
+  bool divides, double nearness, int least, int narrow)
 {
   this->Tree = clusters.MakeLights(std::vector<glm::dvec3>(maps, glm::dvec3(1.0)), count,
-    divides ? LeastError : 0.0, nearness, least);
+    divides ? LeastError : 0.0, nearness, least, narrow);
   this->OfLights = FindTransfers(clusters, maps, this->Tree.Lights);
   this->OfBranches = FindTransfers(clusters, maps, this->Tree.Branches);
 }

@@ -16,7 +16,7 @@ class vtkIndirectSteadyLights
 public:
   /** Makes the lights of the clusters' senders, under `maps` maps; see MakeLights. */
   void Make(vtkIndirectSenderClusters& clusters, size_t maps, int count, bool divides,
-    double nearness, int least);
+    double nearness, int least, int narrow);
   /**
    * Returns the lights under these strengths, one for each map. error: see
    * vtkIndirectSenderClusters::MakeLights.

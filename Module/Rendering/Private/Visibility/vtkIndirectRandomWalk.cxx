@@ -190,13 +190,19 @@ private:
 class vtkIndirectRandomWalk::Emission
 {
 public:
-  Emission(const vtkIndirectFrame& frame, const vtkIndirectLight& light);
+  // seen: makes more rays for the part of the scene that is seen.
+  Emission(const vtkIndirectFrame& frame, const vtkIndirectLight& light, bool seen);
 
   bool IsDark() const { return this->Dark; }
   // Makes the ray for a place of the unit square. footprint: the ray's share of all rays times
   // their number: a solid angle, or an area for a directional light.
   void MakeRay(
     const glm::dvec2& at, glm::dvec3& start, glm::dvec3& direction, double& footprint) const;
+  // Returns a footprint over that of a ray that is made without regard to what is seen.
+  double FindRatio(double footprint) const
+  {
+    return this->IsPart ? footprint / (4.0 * this->HalfWidths.x * this->HalfWidths.y) : 1.0;
+  }
   // Returns the factor that turns the footprint into an area across the ray at that distance.
   double FindSpread(double distance) const
   {
@@ -224,7 +230,7 @@ private:
 
 //------------------------------------------------------------------------------
 vtkIndirectRandomWalk::Emission::Emission(
-  const vtkIndirectFrame& frame, const vtkIndirectLight& light)
+  const vtkIndirectFrame& frame, const vtkIndirectLight& light, bool seen)
   : Light(light)
   , SceneScale(frame.SceneScale)
 {
@@ -249,13 +255,14 @@ vtkIndirectRandomWalk::Emission::Emission(
     this->HalfWidths = glm::max(this->HalfWidths,
       glm::dvec2(1e-3 * std::max({ this->HalfWidths.x, this->HalfWidths.y, 1e-3 })));
     this->Origin = middle - 1.01 * (glm::dot(half, glm::abs(this->Axis)) + 1e-3) * this->Axis;
-    const vtkIndirectSeenBox& seen = frame.Seen.Box;
+    const vtkIndirectSeenBox& part = frame.Seen.Near;
     const glm::dvec2 at(
-      glm::dot(seen.Middle - middle, this->U), glm::dot(seen.Middle - middle, this->V));
-    const glm::dvec2 reach(seen.FindReach(this->U), seen.FindReach(this->V));
+      glm::dot(part.Middle - middle, this->U), glm::dot(part.Middle - middle, this->V));
+    const glm::dvec2 reach(part.FindReach(this->U), part.FindReach(this->V));
     this->LowerOfPart = glm::max(at - ReachOfPart * reach, -this->HalfWidths);
     this->UpperOfPart = glm::min(at + ReachOfPart * reach, this->HalfWidths);
-    this->IsPart = seen.IsPart && glm::all(glm::lessThan(this->LowerOfPart, this->UpperOfPart));
+    this->IsPart =
+      seen && part.IsPart && glm::all(glm::lessThan(this->LowerOfPart, this->UpperOfPart));
     return;
   }
   this->Origin = frame.ToScene(this->Light.PositionWC);
@@ -337,7 +344,6 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
 {
   const size_t blocks = (paths + PathsAtATime - 1) / PathsAtATime;
   std::vector<List> found(blocks);
-  const double most = flux / static_cast<double>(paths);
   const auto walk = [&](size_t path, List& list)
   {
     const uint32_t number = static_cast<uint32_t>(path);
@@ -347,6 +353,9 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
     glm::dvec3 direction;
     double footprint;
     emission.MakeRay(ScrambledPoint(number, seed), start, direction, footprint);
+    // A path ends where it carries less than a first vertex of its footprint: ended by less than
+    // the mean, paths of the part that is seen would be few and bright.
+    const double most = flux * emission.FindRatio(footprint) / static_cast<double>(paths);
     footprint /= static_cast<double>(paths);
     glm::dvec3 carried(0.0);
     uint32_t last = vtkIndirectTriangleTree::None;
@@ -511,21 +520,21 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
   double total = 0.0;
   for (size_t i = 0; i < emitters.size(); ++i)
   {
-    const Emission emission(frame, emitters[i]);
+    const Emission whole(frame, emitters[i], false);
     const int place = static_cast<int>(i);
     // The mean flux of first vertices, weighted by that flux itself: it differs with the distance
     // from the light and with the albedo.
     double sum = 0.0;
     double squares = 0.0;
     for (const Vertex& vertex :
-      emission.IsDark() ? List() : this->Trace(surfaces, emission, place, PilotPaths, 1.0, 1, 1))
+      whole.IsDark() ? List() : this->Trace(surfaces, whole, place, PilotPaths, 1.0, 1, 1))
     {
       sum += Largest(vertex.DensityArea);
       squares += Largest(vertex.DensityArea) * Largest(vertex.DensityArea);
     }
     fluxes.push_back(sum > 0.0 ? squares / sum * PilotPaths : 0.0);
     const List pilot = sum > 0.0
-      ? this->Trace(surfaces, emission, place, PilotPaths, fluxes.back(),
+      ? this->Trace(surfaces, Emission(frame, emitters[i], true), place, PilotPaths, fluxes.back(),
           std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce)
       : List();
     double power = 0.0;
@@ -553,8 +562,8 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
     const size_t step = share > 256.0 ? 16 : 1;
     const size_t paths = std::max<size_t>(static_cast<size_t>(share) / step * step, 1);
     const List found =
-      this->Trace(surfaces, Emission(frame, emitters[i]), static_cast<int>(i), paths, fluxes[i],
-        std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce);
+      this->Trace(surfaces, Emission(frame, emitters[i], true), static_cast<int>(i), paths,
+        fluxes[i], std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce);
     this->Vertices.insert(this->Vertices.end(), found.begin(), found.end());
     this->NumberOfPaths += paths;
   }

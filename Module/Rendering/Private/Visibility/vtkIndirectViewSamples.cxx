@@ -111,6 +111,6 @@ bool vtkIndirectViewSamples::Update(vtkIndirectFrame& frame, vtkSurfaceCapturePa
       2.0 * scale * std::min(view.HalfWidth.x / frame.Size[0], view.HalfWidth.y / frame.Size[1]) });
   }
   const double* const b = frame.SceneBounds;
-  frame.Seen.FindBox(frame.ToScene(glm::dvec3(b[1], b[3], b[5])));
+  frame.Seen.FindBoxes(frame.ToScene(glm::dvec3(b[1], b[3], b[5])));
   return true;
 }
