@@ -5,7 +5,6 @@
 
 #include "Composite/vtkIndirectComposite.h"
 #include "Frame/vtkIndirectDelegateGuard.h"
-#include "Frame/vtkIndirectInformationKeys.h"
 #include "Frame/vtkIndirectLightScope.h"
 #include "Frame/vtkIndirectPlan.h"
 #include "Frame/vtkIndirectPointSpheres.h"
@@ -45,55 +44,6 @@ vtkStandardNewMacro(vtkIndirectIlluminationPass);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Estimator, vtkIndirectEstimatorPass);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Environment, vtkEnvironmentLight);
 vtkCxxSetObjectMacro(vtkIndirectIlluminationPass, Sampler, vtkVirtualLightSampler);
-
-//------------------------------------------------------------------------------
-vtkInformationIntegerKey* vtkIndirectIlluminationPass::CASTS_SHADOWS()
-{
-  return vtkIndirectInformationKeys::CastsShadows();
-}
-
-//------------------------------------------------------------------------------
-vtkInformationIntegerKey* vtkIndirectIlluminationPass::SENDS_LIGHT()
-{
-  return vtkIndirectInformationKeys::SendsLight();
-}
-
-//------------------------------------------------------------------------------
-vtkInformationIntegerKey* vtkIndirectIlluminationPass::CATCHES_LIGHT()
-{
-  return vtkIndirectInformationKeys::CatchesLight();
-}
-
-//------------------------------------------------------------------------------
-vtkInformationStringKey* vtkIndirectIlluminationPass::NAME()
-{
-  return vtkIndirectInformationKeys::Name();
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectIlluminationPass::SetLightRadius(vtkLight* light, double radius)
-{
-  vtkIndirectInformationKeys::Set(
-    light, vtkIndirectInformationKeys::LightRadius(), radius, VTK_DOUBLE_MAX);
-}
-
-//------------------------------------------------------------------------------
-double vtkIndirectIlluminationPass::GetLightRadius(vtkLight* light)
-{
-  return vtkIndirectInformationKeys::Get(light, vtkIndirectInformationKeys::LightRadius());
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectIlluminationPass::SetLightAngle(vtkLight* light, double degrees)
-{
-  vtkIndirectInformationKeys::Set(light, vtkIndirectInformationKeys::LightAngle(), degrees, 90.0);
-}
-
-//------------------------------------------------------------------------------
-double vtkIndirectIlluminationPass::GetLightAngle(vtkLight* light)
-{
-  return vtkIndirectInformationKeys::Get(light, vtkIndirectInformationKeys::LightAngle());
-}
 
 //------------------------------------------------------------------------------
 struct vtkIndirectIlluminationPass::Internals

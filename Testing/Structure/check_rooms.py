@@ -51,6 +51,7 @@ PUBLIC = {
     # Classes that a user puts on a renderer: above all rooms.
     "vtkIndirectEstimatorPass": "",
     "vtkIndirectIlluminationPass": "",
+    "vtkIndirectIlluminationPassKeys": "",
 }
 # The base class of estimators is in no room; these derive from it or call it.
 MAY_NAME_ESTIMATORS = {
