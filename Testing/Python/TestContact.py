@@ -345,8 +345,9 @@ class Contact(unittest.TestCase):
         )
         self.finish(scene)
         # Samples of groups of pixels stand before surfaces that are as bent as their interpolated normals say, so
-        # that none is lit from behind: 0.053. Without that it was 0.008, by normals for planes 0.28.
-        self.check_smooth(scene.read("irradiance").mean(-1), scene.places(), "bounces", 0.06)
+        # that none is lit from behind: 0.044 with 128 lights, 0.078 with the 353 that the narrow gap takes, at most
+        # 0.088 with 512 to 2048. Without that it was 0.008, by normals for planes 0.28.
+        self.check_smooth(scene.read("irradiance").mean(-1), scene.places(), "bounces", 0.09)
 
     def test_bounces_are_smooth_along_creases_and_edges_of_a_room(self) -> None:
         # A board in a closed room, where light varies slowly: a point on a wall of even light sees half
