@@ -44,7 +44,7 @@ void AddSquare(std::vector<Clusters::Sender>& senders, int edge, int maps, doubl
 constexpr size_t NumberOfMaps = 3;
 
 // Two squares that face each other; the first two maps see one each, the third sees both.
-std::vector<Clusters::Sender> MakeFacingSquares()
+std::vector<Clusters::Sender> MakeFacingSquares(float distance = 0.5f)
 {
   constexpr int edge = 24;
   constexpr float area = 1.0f / (edge * edge);
@@ -53,7 +53,7 @@ std::vector<Clusters::Sender> MakeFacingSquares()
   {
     for (int i = 0; i < edge * edge; ++i)
     {
-      const glm::vec3 place((i % edge + 0.5) / edge, (i / edge + 0.5) / edge, 0.5 * side);
+      const glm::vec3 place((i % edge + 0.5) / edge, (i / edge + 0.5) / edge, distance * side);
       const glm::vec3 normal(0.0f, 0.0f, side == 0 ? 1.0f : -1.0f);
       for (const int map : { side, 2 })
       {
@@ -481,6 +481,29 @@ VTK_INDIRECT_TEST(SteadyLights)
   }
   CheckRelative(
     "of all leaves, which every child has", SumLight(leaves).x, sum.x, 1e-5, "sums of floats");
+}
+
+// Two squares of n clusters together: each cluster is s = sqrt(2 / n) wide, and its light has a root
+// mean square distance of s / sqrt(6) from the mean. The clusters suffice where this distance is 0.3
+// of about sqrt(2) times the distance of the squares.
+VTK_INDIRECT_TEST(ClustersAreNarrowFromNearbySurfaces)
+{
+  const std::vector<glm::dvec3> equal(NumberOfMaps, glm::dvec3(1.0));
+  constexpr double anywhere = 10.0;
+  auto count = [&](float distance, int narrow)
+  {
+    Clusters clusters;
+    clusters.SetSenders(MakeFacingSquares(distance));
+    return static_cast<double>(
+      clusters.MakeLights(equal, 16, 1e-3, anywhere, 16, narrow).Lights.size());
+  };
+  CheckEqual("squares far from each other", count(0.5f, 1024), 16);
+  const double near = count(0.08f, 1024);
+  const double expected = 2.0 / (6.0 * 2.0 * std::pow(0.3 * 0.08, 2.0));
+  CheckAtMost("squares near each other", near, 2.0 * expected, "the number grows by steps of 1.4");
+  CheckAtLeast("squares near each other", near, 0.5 * expected, "the number grows by steps of 1.4");
+  CheckEqual("no more than depth maps allow", count(0.08f, 64), 64);
+  CheckEqual("a fixed number", count(0.08f, 0), 16);
 }
 
 // Three directions stand for a direction between them, and change smoothly with it.
