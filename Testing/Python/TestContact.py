@@ -349,6 +349,28 @@ class Contact(unittest.TestCase):
         # 0.088 with 512 to 2048. Without that it was 0.008, by normals for planes 0.28.
         self.check_smooth(scene.read("irradiance").mean(-1), scene.places(), "bounces", 0.09)
 
+    def test_light_is_even_where_normals_lie_along_the_facet(self) -> None:
+        # A quadrangle as meshes with broken normals have them: rounding must not decide at each
+        # pixel on which side of it the light is.
+        along, up = np.array([0.8, 0.36, 0.48]), np.array([-0.6, 0.48, 0.64])
+        corners = [a * along + b * up for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+        actor = mesh(corners, [[0, 1, 2, 3]])
+        normals = numpy_to_vtk(np.tile(along, (4, 1)).astype(np.float32), deep=1)
+        actor.GetMapper().GetInput().GetPointData().SetNormals(normals)
+        normal = np.cross(along, up)
+        for angle in (0.2, 0.5, 0.8, 1.1):
+            with self.subTest(angle=angle):
+                eye = 6.0 * (np.cos(angle) * normal + np.sin(angle) * (0.6 * along + 0.8 * up))
+                sun = 3.0 * along + 2.0 * normal
+                scene = Scene(self, [actor], sun, eye, (0, 0, 0), (200, 200), up)
+                scene.window.Render()
+                lit = scene.read("depth")[..., 0] > 0.0
+                light = scene.read("direct").mean(-1)[lit]
+                off = np.abs(light - np.median(light)) > 0.02
+                print(f"angle {angle}: {off.sum()} of {lit.sum()} pixels are off")
+                self.assertGreater(lit.sum(), 1000)
+                self.assertLess(off.sum(), 0.01 * lit.sum())
+
     def test_bounces_are_smooth_along_creases_and_edges_of_a_room(self) -> None:
         # A board in a closed room, where light varies slowly: a point on a wall of even light sees half
         # of the hemisphere filled by the next wall at its foot, and less by the sine of the next wall's

@@ -27,6 +27,9 @@ uniform vec3 vtkiMapLight; // 1 if positional, texel size in tangents or scene u
 // tell the facet.
 const float VTKI_FACET_SINE2 = 1.0e-5f;
 const float VTKI_FACET_ROUNDING = 1.0e-6f;
+// A shading normal lies along the facet if the cosine of the angle between it and the facet's normal
+// is below this number, far above rounding.
+const float VTKI_FACET_ALONG = 1.0e-3f;
 
 // These are the pixels that a position may lie beside its ray: corners are rounded by half of 1/16
 // at most, which is the coarsest that OpenGL allows. Lines and points lie farther.
@@ -69,7 +72,11 @@ vec3 vtkiFacetNormal(vec3 position, vec3 normal)
   float rounding = VTKI_FACET_ROUNDING * VTKI_FACET_ROUNDING * dot(position, position);
   bool other =
     dot(across, across) > max(VTKI_FACET_SINE2 * length2, rounding * (dot(dx, dx) + dot(dy, dy)));
-  return other ? facet * (dot(facet, normal) < 0.0f ? -inversesqrt(length2) : inversesqrt(length2)) : normal;
+  // The derivatives' product is on the side that is seen. The facet's normal stays there if the
+  // shading normal lies along the facet: rounding would decide at each pixel anew.
+  float scale = inversesqrt(length2);
+  bool behind = dot(facet, normal) * scale < -VTKI_FACET_ALONG;
+  return other ? facet * (behind ? -scale : scale) : normal;
 }
 
 #ifdef VTKI_SHADOWS
