@@ -350,8 +350,8 @@ class Contact(unittest.TestCase):
         self.check_smooth(scene.read("irradiance").mean(-1), scene.places(), "bounces", 0.09)
 
     def test_light_is_even_where_normals_lie_along_the_facet(self) -> None:
-        # A quadrangle as meshes with broken normals have them: rounding must not decide at each
-        # pixel on which side of it the light is.
+        # Meshes with broken normals have such quadrangles. Rounding must not decide at each pixel on
+        # which side of the quadrangle the light is.
         along, up = np.array([0.8, 0.36, 0.48]), np.array([-0.6, 0.48, 0.64])
         corners = [a * along + b * up for a, b in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
         actor = mesh(corners, [[0, 1, 2, 3]])

@@ -14,6 +14,9 @@ import vtkindirect
 NEAR = 10.0
 """Half edge of the ground that the others are compared with; the picture shows a third of it."""
 
+VIEW_OF_A_TOWN = (35.0, 30.0, 45.0), (0.0, 4.0, 0.0)
+"""Place and focal point of the camera."""
+
 
 def actor(source, color) -> vtkActor:
     mapper = vtkPolyDataMapper()
@@ -77,13 +80,14 @@ def houses(half: float) -> vtkActor:
 
 @unittest.skipIf(support.why_no_rendering(), support.why_no_rendering())
 class Detail(unittest.TestCase):
-    def draw(self, props, light, position, focal, **how) -> tuple[np.ndarray, np.ndarray]:
-        """Return direct light and all indirect irradiance."""
+    def show(self, props, light, position, focal, **how) -> vtkRenderer:
+        """Return a renderer of a finished picture; light: adds one, or None for VTK's headlight."""
         renderer = vtkRenderer()
-        renderer.AutomaticLightCreationOff()
         for prop in props:
             renderer.AddActor(prop)
-        light(renderer)
+        if light is not None:
+            renderer.AutomaticLightCreationOff()
+            light(renderer)
         camera = renderer.GetActiveCamera()
         camera.SetPosition(*position)
         camera.SetFocalPoint(*focal)
@@ -93,9 +97,14 @@ class Detail(unittest.TestCase):
         window.AddRenderer(renderer)
         window.SetDesiredUpdateRate(1e-4)
         self.addCleanup(window.Finalize)
-        vtkindirect.enable(renderer, lighting="scene", **how)
+        vtkindirect.enable(renderer, **how)
         for _ in range(3):
             window.Render()
+        return renderer
+
+    def draw(self, props, light, position, focal, **how) -> tuple[np.ndarray, np.ndarray]:
+        """Return direct light and all indirect irradiance."""
+        renderer = self.show(props, light, position, focal, lighting="scene", **how)
         return tuple(
             np.array(vtkindirect.copy_buffer(renderer, name))[..., :3].mean(-1)
             for name in ("direct", "irradiance")
@@ -147,8 +156,8 @@ class Detail(unittest.TestCase):
         found = []
         for half in (100.0, 500.0):
             props = (ground(half + 20.0), houses(half))
-            view = (35.0, 30.0, 45.0), (0.0, 4.0, 0.0)
-            found.append(self.draw(props, sun, *view, NumberOfBounces=bounces)[1][:96])
+            drawn = self.draw(props, sun, *VIEW_OF_A_TOWN, NumberOfBounces=bounces)
+            found.append(drawn[1][:96])
         near, all_of_it = found
         self.assertAlmostEqual(all_of_it.mean() / near.mean(), 1.0, delta=bound / 2.0)
         change = np.sqrt(np.mean((all_of_it - near) ** 2)) / near.mean()
@@ -166,20 +175,10 @@ class Detail(unittest.TestCase):
     def test_lights_that_follow_the_camera_in_a_town(self) -> None:
         pictures = []
         for half in (100.0, 500.0):
-            renderer = vtkRenderer()
-            for prop in (ground(half + 20.0), houses(half)):
-                renderer.AddActor(prop)
-            camera = renderer.GetActiveCamera()
-            camera.SetPosition(35.0, 30.0, 45.0)
-            camera.SetFocalPoint(0.0, 4.0, 0.0)
-            camera.SetClippingRange(0.5, 1000.0)
-            window = vtkindirect.render_window((160, 120), offscreen=True)
-            window.AddRenderer(renderer)
-            self.addCleanup(window.Finalize)
-            vtkindirect.enable(renderer)
-            window.Render()
-            image = np.array(vtkindirect.copy_buffer(renderer, "final"))[:96, :, :3]
-            pictures.append(image)
+            props = (ground(half + 20.0), houses(half))
+            renderer = self.show(props, None, *VIEW_OF_A_TOWN)
+            image = np.array(vtkindirect.copy_buffer(renderer, "final"))
+            pictures.append(image[:96, :, :3])
         off = np.abs(pictures[1] - pictures[0]).max(-1) > 32.0 / 255.0
         self.assertLess(off.mean(), 0.005)
 

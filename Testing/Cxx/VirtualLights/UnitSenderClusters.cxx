@@ -483,9 +483,9 @@ VTK_INDIRECT_TEST(SteadyLights)
     "of all leaves, which every child has", SumLight(leaves).x, sum.x, 1e-5, "sums of floats");
 }
 
-// Two squares of n clusters together: each cluster is s = sqrt(2 / n) wide, and its light has a root
-// mean square distance of s / sqrt(6) from the mean. The clusters suffice where this distance is 0.3
-// of about sqrt(2) times the distance of the squares.
+// Two squares of n clusters together: each cluster is s = sqrt(2 / n) wide, and its light has a
+// root mean square distance of s / sqrt(6) from the mean. The clusters suffice where this distance
+// is 0.3 of about sqrt(2) times the distance of the squares.
 VTK_INDIRECT_TEST(ClustersAreNarrowFromNearbySurfaces)
 {
   const std::vector<glm::dvec3> equal(NumberOfMaps, glm::dvec3(1.0));

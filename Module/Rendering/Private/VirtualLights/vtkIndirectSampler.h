@@ -34,7 +34,7 @@ struct vtkIndirectSamplerAbilities
    * of glass.
    */
   int NumberOfLights = 256;
-  int MostLights = 0; // an automatic number may grow up to this one; 0: the number is fixed
+  int MostLights = 0;        // an automatic number may grow up to this one; 0: the number is fixed
   bool Directions = false;   // lights may be directions, which costs estimators a little more
   bool Walks = false;        // rays through the scene find lights of all bounces; no map is read
   bool TakesSenders = false; // the lights also represent given further senders
