@@ -26,12 +26,9 @@ constexpr double MostDrawnOfPart = 4.0 * MostDrawn;
 }
 
 //------------------------------------------------------------------------------
-// Asks some of the senders how wide clusters look. Surfaces in between are ignored, so the answer
-// errs towards far clusters, which look narrow.
-bool vtkIndirectSenderClusters::AreNarrow(const std::vector<Cluster>& clusters) const
+// Returns some of the senders in the part that is seen.
+std::vector<size_t> vtkIndirectSenderClusters::FindAsked() const
 {
-  double widths = 0.0;
-  double total = 0.0;
   std::vector<size_t> seen;
   for (size_t i = 0; i < this->Senders.size(); ++i)
   {
@@ -41,10 +38,26 @@ bool vtkIndirectSenderClusters::AreNarrow(const std::vector<Cluster>& clusters) 
     }
   }
   const size_t step = std::max<size_t>(seen.size() / NumberOfAsked, 1);
+  std::vector<size_t> asked;
   for (size_t i = 0; i < seen.size(); i += step)
   {
-    const glm::dvec3 place(this->Senders[seen[i]].Position);
-    const glm::dvec3 normal(this->Senders[seen[i]].Normal);
+    asked.push_back(seen[i]);
+  }
+  return asked;
+}
+
+//------------------------------------------------------------------------------
+// Asks senders how wide clusters look. Surfaces in between are ignored, so the answer errs towards
+// far clusters, which look narrow.
+bool vtkIndirectSenderClusters::AreNarrow(
+  const std::vector<Cluster>& clusters, const std::vector<size_t>& asked) const
+{
+  double widths = 0.0;
+  double total = 0.0;
+  for (const size_t sender : asked)
+  {
+    const glm::dvec3 place(this->Senders[sender].Position);
+    const glm::dvec3 normal(this->Senders[sender].Normal);
     double width = 0.0;
     double light = 0.0;
     for (const Cluster& cluster : clusters)

@@ -245,11 +245,13 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
     this->Nearness * (this->Seen.IsPart ? 2.0 * glm::length(this->Seen.Half) : 1.0);
   const double enough = nearness * nearness * total;
   double width = clusters.front().Width;
+  const std::vector<size_t> asked =
+    numbers.Narrow > numbers.Least ? this->FindAsked() : std::vector<size_t>();
   while (!queue.empty() && clusters.size() < most)
   {
     if (clusters.size() >= numbers.Least && (width <= enough || clusters.size() >= numbers.Near))
     {
-      if (clusters.size() >= numbers.Narrow || this->AreNarrow(clusters))
+      if (clusters.size() >= numbers.Narrow || this->AreNarrow(clusters, asked))
       {
         break;
       }

@@ -179,7 +179,8 @@ private:
 
   Cluster Measure(size_t begin, size_t end) const;
   uint32_t FindMiddle(const Cluster& cluster) const;
-  bool AreNarrow(const std::vector<Cluster>& clusters) const;
+  std::vector<size_t> FindAsked() const;
+  bool AreNarrow(const std::vector<Cluster>& clusters, const std::vector<size_t>& asked) const;
   std::vector<Cluster> Divide(size_t begin, size_t end, Numbers numbers);
   void DivideAll(const std::vector<double>& weights, const Numbers& numbers, bool divides);
   Light MakeLight(const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const;
