@@ -7,11 +7,13 @@
 #include "vtkActor.h"
 #include "vtkMath.h"
 #include "vtkReflectiveShadowMapPass.h"
+#include "vtkRenderWindow.h"
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 #include <vector>
 
 using namespace vtkIndirectTest;
@@ -161,6 +163,30 @@ VTK_INDIRECT_TEST(FinestLevels)
     CheckAtMost(name + "the same, worst frame", Percentile(errors[level], 1.0), worst[level],
       "measured 0.41, 0.74, 1.00, of frame 501");
   }
+}
+
+// While somebody drags, light is summed for blocks of 4 x 4 pixels; a still frame afterwards equals
+// the still frame before.
+VTK_INDIRECT_TEST(MovingFramesTakeBlocks)
+{
+  Ball scene;
+  const auto isFinest = [&scene](const std::string& level) {
+    return scene.Pass->GetReport().find("\"FinestLevel\": \"" + level + "\"") != std::string::npos;
+  };
+  const Image expected = scene.GatherAll();
+  const Image still = scene.Splat();
+  Check("a still frame's finest level is the pixel", isFinest("full_resolution"));
+  scene.Window->SetDesiredUpdateRate(15.0);
+  const Image moving = scene.Splat();
+  Check("a moving frame's finest level is four pixels wide", isFinest("quarter_resolution"));
+  const double error = Compare(still, expected, Least).RootMeanSquare;
+  const double coarse = Compare(moving, expected, Least).RootMeanSquare;
+  CheckAtLeast("RMSE of a moving frame over the still frame's", coarse / error, 1.2,
+    "the test's own power: it is another image");
+  CheckAtMost("RMSE over the mean of a moving frame", coarse, 0.1, "measured");
+  scene.Window->SetDesiredUpdateRate(1e-4);
+  CheckEqual("worst difference of the still frame that follows",
+    Compare(scene.Splat(), still, Least).Worst, 0.0);
 }
 
 VTK_INDIRECT_TEST(NormalCorrection)
