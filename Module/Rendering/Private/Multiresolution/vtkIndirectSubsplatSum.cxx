@@ -4,6 +4,7 @@
 #include "Multiresolution/vtkIndirectSubsplatSum.h"
 
 #include "Frame/vtkIndirectFrame.h"
+#include "Frame/vtkIndirectKey.h"
 #include "Frame/vtkIndirectReport.h"
 #include "Frame/vtkIndirectSettingList.h"
 #include "Frame/vtkIndirectStageTimer.h"
@@ -129,6 +130,14 @@ int vtkIndirectSubsplatSum::FindFinestLevel(const vtkIndirectPlan* plan) const
     : plan->LightsTurn && plan->Interactive ? vtkMultiresolutionSplattingPass::EIGHTH_RESOLUTION
                                             : vtkMultiresolutionSplattingPass::QUARTER_RESOLUTION;
   return std::max(this->Set.Settings.FinestLevel, coarse);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSubsplatSum::AppendTo(vtkIndirectKey& key, const Input& input) const
+{
+  this->vtkIndirectSum::AppendTo(key, input);
+  // A still frame after moving frames sums light at every pixel.
+  key.Add("finest level", this->FindFinestLevel(&input.Plan));
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,8 @@ public:
   int DrawChannel(const std::string& name, const vtkIndirectFrame& frame,
     const vtkIndirectGeometryBuffer& geometry) override;
 
+  void AppendTo(vtkIndirectKey& key, const Input& input) const override;
+
 protected:
   vtkIndirectEstimate Estimate(const Input& input) override;
 
