@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAreaLightSampler.h"
 
-#include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectKey.h"
-#include "Frame/vtkIndirectSettingList.h"
-#include "VirtualLights/vtkIndirectAreaClusters.h"
-#include "VirtualLights/vtkIndirectEmitterAccess.h"
-#include "VirtualLights/vtkIndirectSampler.h"
-#include "VirtualLights/vtkIndirectSenderTexels.h"
+#include "Emitters/vtkIndirectEmitterAccess.h"
+#include "OpenGL/vtkIndirectKey.h"
+#include "Plan/vtkIndirectSettingList.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Senders/vtkIndirectAreaClusters.h"
+#include "Senders/vtkIndirectSampler.h"
+#include "Senders/vtkIndirectSenderTexels.h"
 #include "vtkAreaLight.h"
 #include "vtkObjectFactory.h"
 

@@ -80,7 +80,7 @@ private:
   vtkAreaLightSampler(const vtkAreaLightSampler&) = delete;
   void operator=(const vtkAreaLightSampler&) = delete;
 
-  friend struct vtkIndirectEmitterAccess; // its comments describe the next function
+  friend struct vtkIndirectAreaSamplerAccess; // its comments describe the next function
 
   void SetLights(const std::vector<vtkSmartPointer<vtkAreaLight>>& lights);
 

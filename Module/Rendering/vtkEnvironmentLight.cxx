@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkEnvironmentLight.h"
 
-#include "VirtualLights/vtkIndirectRadianceImage.h"
+#include "Emitters/vtkIndirectRadianceImage.h"
 #include "vtkImageData.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkMath.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImportanceLightSampler.h"
 
-#include "Frame/vtkIndirectSettingList.h"
 #include "OpenGL/vtkIndirectKernels.h"
-#include "VirtualLights/vtkIndirectMapSampler.h"
-#include "VirtualLights/vtkIndirectSamplePattern.h"
+#include "Plan/vtkIndirectSettingList.h"
+#include "Senders/vtkIndirectMapSampler.h"
+#include "Senders/vtkIndirectSamplePattern.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>

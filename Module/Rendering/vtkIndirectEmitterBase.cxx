@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIndirectEmitterBase.h"
 
-#include "Frame/vtkIndirectRevision.h"
+#include "Scene/vtkIndirectRevision.h"
 #include "vtkImageData.h"
 #include "vtkTexture.h"
 

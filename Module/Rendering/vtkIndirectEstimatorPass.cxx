@@ -3,8 +3,8 @@
 
 #include "vtkIndirectEstimatorPass.h"
 
-#include "Frame/vtkIndirectSettingList.h"
-#include "Gather/vtkIndirectSum.h"
+#include "Plan/vtkIndirectSettingList.h"
+#include "Sums/vtkIndirectSum.h"
 #include "vtkIndirectIlluminationPass.h"
 #include "vtkVirtualLightSampler.h"
 

@@ -2,7 +2,7 @@
 // The static methods of the pass, by which users set keys of props and lights.
 #include "vtkIndirectIlluminationPass.h"
 
-#include "Frame/vtkIndirectInformationKeys.h"
+#include "Scene/vtkIndirectInformationKeys.h"
 
 //------------------------------------------------------------------------------
 vtkInformationIntegerKey* vtkIndirectIlluminationPass::CASTS_SHADOWS()

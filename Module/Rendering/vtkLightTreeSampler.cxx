@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLightTreeSampler.h"
 
-#include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectPlan.h"
-#include "Frame/vtkIndirectReport.h"
-#include "Frame/vtkIndirectSettingList.h"
-#include "LightMaps/vtkIndirectLightMaps.h"
-#include "VirtualLights/vtkIndirectMapSampler.h"
-#include "VirtualLights/vtkIndirectSenderClusters.h"
-#include "VirtualLights/vtkIndirectSenderTexels.h"
+#include "Maps/vtkIndirectLightMaps.h"
+#include "Plan/vtkIndirectPlan.h"
+#include "Plan/vtkIndirectReport.h"
+#include "Plan/vtkIndirectSettingList.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Senders/vtkIndirectMapSampler.h"
+#include "Senders/vtkIndirectSenderClusters.h"
+#include "Senders/vtkIndirectSenderTexels.h"
 #include "vtkObjectFactory.h"
 #include "vtkUniformLightSampler.h"
 

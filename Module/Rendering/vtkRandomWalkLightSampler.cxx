@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRandomWalkLightSampler.h"
 
-#include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectKey.h"
-#include "Frame/vtkIndirectReport.h"
-#include "Frame/vtkIndirectSettingList.h"
-#include "VirtualLights/vtkIndirectEmitters.h"
-#include "VirtualLights/vtkIndirectSampler.h"
-#include "VirtualLights/vtkIndirectSenderClusters.h"
-#include "VirtualLights/vtkIndirectSenderTexels.h"
-#include "Visibility/vtkIndirectRandomWalk.h"
-#include "Visibility/vtkIndirectSurfaces.h"
+#include "OpenGL/vtkIndirectKey.h"
+#include "Plan/vtkIndirectReport.h"
+#include "Plan/vtkIndirectSettingList.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectSurfaces.h"
+#include "Senders/vtkIndirectEmitters.h"
+#include "Senders/vtkIndirectRandomWalk.h"
+#include "Senders/vtkIndirectSampler.h"
+#include "Senders/vtkIndirectSenderClusters.h"
+#include "Senders/vtkIndirectSenderTexels.h"
 #include "vtkObjectFactory.h"
 
 #include <algorithm>

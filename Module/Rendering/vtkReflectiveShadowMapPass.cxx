@@ -4,10 +4,10 @@
 #include "vtkReflectiveShadowMapPass.h"
 
 #include "Capture/vtkSurfaceCapturePass.h"
-#include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectKey.h"
-#include "Frame/vtkIndirectPlan.h"
-#include "LightMaps/vtkIndirectLightMaps.h"
+#include "Maps/vtkIndirectLightMaps.h"
+#include "OpenGL/vtkIndirectKey.h"
+#include "Plan/vtkIndirectPlan.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkVirtualLightSampler.h"
 
-#include "Frame/vtkIndirectSettingList.h"
-#include "VirtualLights/vtkIndirectSampler.h"
+#include "Plan/vtkIndirectSettingList.h"
+#include "Senders/vtkIndirectSampler.h"
 
 #include <algorithm>
 

@@ -26,7 +26,7 @@ target_link_libraries(TestPassContract
     $<TARGET_NAME_IF_EXISTS:OpenGL::OpenGL>)
 target_include_directories(TestPassContract PRIVATE Harness "${module_dir}/Private")
 vtk_indirect_compile_options(TestPassContract)
-set_source_files_properties(Frame/TestPassReport.cxx PROPERTIES
+set_source_files_properties(Plan/TestPassReport.cxx PROPERTIES
   COMPILE_DEFINITIONS "VTK_INDIRECT_TEST_FOLDER=\"${CMAKE_CURRENT_BINARY_DIR}\"")
 
 vtk_indirect_add_tests(TestPassContract PREFIX Contract LABEL contract SOURCES ${contract_sources}

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Fits linearly transformed cosines to the specular lobe of VTK's physically based shading.
 
-    Testing/Reference/fit_lobes.py FILE        write the table: LightMaps/vtkIndirectLobeTable.inl
+    Testing/Reference/fit_lobes.py FILE        write the table: Maps/vtkIndirectLobeTable.inl
     Testing/Reference/fit_lobes.py --errors    integrals of |lobe - fit| over the lobe's own
 
 "Real-Time Polygonal-Light Shading with Linearly Transformed Cosines" (Heitz, Dupuy, Hill, Neubelt

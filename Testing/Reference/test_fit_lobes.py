@@ -13,7 +13,7 @@ import fit_lobes
 
 TABLE = (
     Path(__file__).resolve().parents[2]
-    / "Module/Rendering/Private/LightMaps/vtkIndirectLobeTable.inl"
+    / "Module/Rendering/Private/Maps/vtkIndirectLobeTable.inl"
 )
 
 

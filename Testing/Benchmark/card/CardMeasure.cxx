@@ -3,7 +3,7 @@
 
 #include "CardScene.h"
 
-#include "Frame/vtkIndirectStageTimer.h"
+#include "Plan/vtkIndirectStageTimer.h"
 #include "vtkCamera.h"
 #include "vtkEGLHeadlessRenderWindow.h"
 #include "vtkIndirectIlluminationPass.h"

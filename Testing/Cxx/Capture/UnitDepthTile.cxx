@@ -2,8 +2,8 @@
 // Depth maps of single virtual lights and directions: their axes, their depths, and the planes of
 // receivers in them.
 #include "Capture/vtkIndirectDepthTile.h"
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The packed surface: normals, kinds, positions from linear depth.
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"

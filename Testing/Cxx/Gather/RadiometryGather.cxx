@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The gather's sums, against the same sums on the CPU in double precision.
-#include "LightMaps/vtkIndirectLightMaps.h"
+#include "Maps/vtkIndirectLightMaps.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Specular senders: the flux of their lobes, its destination, and the estimators that sum it.
-#include "LightMaps/vtkIndirectLightMaps.h"
+#include "Maps/vtkIndirectLightMaps.h"
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkActor.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Specular reflection of rectangles by receivers, against sums over the rectangle in double
 // precision of the lobes as VTK's lights evaluate them.
-#include "LightMaps/vtkIndirectLobeTable.h"
+#include "Maps/vtkIndirectLobeTable.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "vtkIndirectTestUtilities.h"
 

@@ -3,7 +3,7 @@
 // sheets, no casters, no props, half a sky, and many props.
 #include "vtkIndirectHardCase.h"
 
-#include "VirtualLights/vtkIndirectDirections.h"
+#include "Emitters/vtkIndirectDirections.h"
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
 #include "vtkCubeSource.h"

@@ -3,7 +3,7 @@
 #ifndef vtkIndirectSurfaceFrame_h
 #define vtkIndirectSurfaceFrame_h
 
-#include "Frame/vtkIndirectFrame.h" // for a member
+#include "Scene/vtkIndirectFrame.h" // for a member
 
 #include "vtkActor.h"          // for members
 #include "vtkCellArray.h"      // for meshes

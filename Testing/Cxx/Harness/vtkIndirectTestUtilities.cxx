@@ -3,7 +3,7 @@
 
 #include "vtkIndirectEstimatorPass.h"
 
-#include "Frame/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"

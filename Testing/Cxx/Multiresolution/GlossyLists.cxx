@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lists of lights for specular subsplats: their limit, their errors, and their savings.
 #include "Gather/vtkIndirectGlossyRoom.h"
-#include "Gather/vtkIndirectSum.h"
+#include "Sums/vtkIndirectSum.h"
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectForcedPath.h"
 

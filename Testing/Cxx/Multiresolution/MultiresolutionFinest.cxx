@@ -4,7 +4,7 @@
 //
 // Tolerances are relative to a pixel's irradiance, or to a ten-thousandth of the brightest one:
 // smaller irradiances come from senders in nearly the same plane, whose cosines are rounding.
-#include "Gather/vtkIndirectSum.h"
+#include "Sums/vtkIndirectSum.h"
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectRandomFrame.h"
 

@@ -5,7 +5,7 @@
 #include "vtkIndirectPyramidReader.h"
 #include "vtkIndirectRandomFrame.h"
 
-#include "Gather/vtkIndirectSum.h"
+#include "Sums/vtkIndirectSum.h"
 #include "vtkUniformLightSampler.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 // Surfaces of hints: colours, areas and planes in their cells.
 #include "OpenGL/vtkIndirectKernels.h"
 #include "RadianceHints/vtkIndirectHintGrid.h"
+#include "Scene/vtkIndirectSurfaces.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
-#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkIndirectSurfaceFrame.h"
 #include "vtkIndirectTestUtilities.h"
 #include "vtkIndirectVoxelPatch.h"

@@ -8,7 +8,7 @@
 #include "vtkIndirectDetails.h"
 #include "vtkIndirectHintScenes.h"
 
-#include "Frame/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkMath.h"

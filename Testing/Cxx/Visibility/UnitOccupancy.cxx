@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The voxels of the scene: walls are watertight, however thin, slanted or finely divided, and free
 // space stays free.
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectSurfaces.h"
 #include "Visibility/vtkIndirectDistanceField.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
-#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkIndirectTestUtilities.h"
 #include "vtkIndirectVoxelLines.h"
 #include "vtkIndirectVoxelPatch.h"

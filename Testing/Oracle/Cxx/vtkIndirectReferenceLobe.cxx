@@ -2,8 +2,8 @@
 #include "vtkIndirectReferenceLobe.h"
 
 #include "OpenGL/vtkIndirectTarget.h"
-#include "VirtualLights/vtkIndirectSampler.h"
-#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Senders/vtkIndirectSampler.h"
+#include "Senders/vtkIndirectVirtualLights.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIndirectSightLines.h"
 
-#include "Visibility/vtkIndirectTriangleTree.h"
+#include "Scene/vtkIndirectTriangleTree.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "Capture/vtkIndirectCaptureLights.h"
 
 #include "Capture/vtkIndirectShadowMaps.h"
-#include "Frame/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkMath.h"
 #include "vtkShaderProgram.h"
 

@@ -5,9 +5,9 @@
 
 #include "Capture/vtkIndirectCoarseLevels.h"
 #include "Capture/vtkIndirectPartViews.h"
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectTarget.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 

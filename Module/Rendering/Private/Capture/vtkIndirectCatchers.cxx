@@ -4,7 +4,7 @@
 #include "Capture/vtkIndirectCatchers.h"
 
 #include "Capture/vtkSurfaceCapturePass.h"
-#include "Frame/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkProp.h"

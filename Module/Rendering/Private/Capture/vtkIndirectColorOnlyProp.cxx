@@ -2,7 +2,7 @@
 #include "Capture/vtkIndirectColorOnlyProp.h"
 
 #include "Capture/vtkSurfaceCapturePass.h"
-#include "Frame/vtkIndirectLightScope.h"
+#include "Scene/vtkIndirectLightScope.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 

@@ -4,8 +4,8 @@
 #include "Capture/vtkIndirectCreases.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "Scene/vtkIndirectFrame.h"
 
 namespace
 {

@@ -3,7 +3,7 @@
 // without any light VTK draws surfaces unlit, in their full colour and without normals.
 #pragma once
 
-#include "Frame/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkNew.h"

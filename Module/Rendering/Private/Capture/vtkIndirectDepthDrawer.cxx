@@ -3,9 +3,9 @@
 
 #include "Capture/vtkIndirectDepthDrawer.h"
 
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectShaderLibrary.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkActor.h"
 #include "vtkDataSetMapper.h"
 #include "vtkInformation.h"

@@ -2,8 +2,8 @@
 #include "Capture/vtkIndirectDepthTile.h"
 
 #include "Capture/vtkIndirectFootprint.h"
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkOpenGLCamera.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/vtkIndirectLightConstants.h"
 
-#include "Frame/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectFrame.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/vtkIndirectMeshParts.h"
 
-#include "Frame/vtkIndirectRevision.h"
+#include "Scene/vtkIndirectRevision.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkPolyData.h"
 

@@ -4,7 +4,7 @@
 // points at their borders in all levels, so that parts of different levels leave no gap.
 #pragma once
 
-#include "Frame/vtkIndirectPropKind.h" // for the number of triangles
+#include "Scene/vtkIndirectPropKind.h" // for the number of triangles
 #include "vtkSmartPointer.h"           // for members
 
 #include <array>   // for bounds

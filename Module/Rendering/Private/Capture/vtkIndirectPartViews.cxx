@@ -2,7 +2,7 @@
 #include "Capture/vtkIndirectPartViews.h"
 
 #include "Capture/vtkIndirectDepthTile.h"
-#include "Frame/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkProp.h"
 
 #include <algorithm>

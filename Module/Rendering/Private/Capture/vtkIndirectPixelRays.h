@@ -2,7 +2,7 @@
 // Rays through the pixels of the eye's image or of a light map, for vtkiDepthOnRay.
 #pragma once
 
-#include "Frame/vtkIndirectFrame.h" // for the eye's rays
+#include "Scene/vtkIndirectFrame.h" // for the eye's rays
 #include "vtkShaderProgram.h"
 
 #include <glm/gtc/type_ptr.hpp>

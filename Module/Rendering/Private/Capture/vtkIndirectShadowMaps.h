@@ -3,7 +3,7 @@
 // the maps' owner.
 #pragma once
 
-#include "Frame/vtkIndirectFrame.h" // for the light
+#include "Scene/vtkIndirectFrame.h" // for the light
 
 #include <glm/glm.hpp> // for the transformation
 #include <vector>      // for the maps

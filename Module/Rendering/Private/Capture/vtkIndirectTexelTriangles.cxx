@@ -4,8 +4,8 @@
 #include "Capture/vtkIndirectTexelTriangles.h"
 
 #include "Capture/vtkIndirectDepthTile.h"
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectBackEndChoices.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkOpenGLIndexBufferObject.h"
 #include "vtkPolyData.h"
 #include "vtkProp.h"

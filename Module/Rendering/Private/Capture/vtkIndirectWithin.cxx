@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Capture/vtkIndirectWithin.h"
 
-#include "Frame/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkActor.h"
 #include "vtkMatrix3x3.h"
 #include "vtkMatrix4x4.h"

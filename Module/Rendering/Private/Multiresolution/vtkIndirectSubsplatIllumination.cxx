@@ -4,10 +4,10 @@
 #include "Multiresolution/vtkIndirectSubsplatIllumination.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
-#include "Frame/vtkIndirectPlan.h"
 #include "OpenGL/vtkIndirectBackEndChoices.h"
-#include "VirtualLights/vtkIndirectLightBlock.h"
+#include "Plan/vtkIndirectPlan.h"
+#include "Scene/vtkIndirectEyeUniforms.h"
+#include "Senders/vtkIndirectLightBlock.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkTextureObject.h"
 

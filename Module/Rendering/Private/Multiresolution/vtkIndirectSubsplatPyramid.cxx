@@ -4,8 +4,8 @@
 #include "Multiresolution/vtkIndirectSubsplatPyramid.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectEyeUniforms.h"
-#include "VirtualLights/vtkIndirectLightBlock.h"
+#include "Scene/vtkIndirectEyeUniforms.h"
+#include "Senders/vtkIndirectLightBlock.h"
 #include "Visibility/vtkIndirectVisibility.h"
 
 #include <algorithm>

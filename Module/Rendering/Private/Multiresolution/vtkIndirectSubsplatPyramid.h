@@ -6,12 +6,12 @@
 // Level n has texels of 2^n pixels. The last level has no leaves: all of it is split.
 #pragma once
 
-#include "Frame/vtkIndirectEstimate.h"                  // for the input
 #include "Multiresolution/vtkIndirectSubsplatDetails.h" // for settings
 #include "Multiresolution/vtkIndirectSubsplatList.h"    // for members
 #include "OpenGL/vtkIndirectFullScreenProgram.h"        // for members
 #include "OpenGL/vtkIndirectResource.h"                 // for the base class
 #include "OpenGL/vtkIndirectTarget.h"                   // for members
+#include "Plan/vtkIndirectEstimate.h"                   // for the input
 
 #include <memory> // for levels
 #include <vector> // for levels

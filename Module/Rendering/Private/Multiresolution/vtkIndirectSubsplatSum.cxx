@@ -3,13 +3,13 @@
 
 #include "Multiresolution/vtkIndirectSubsplatSum.h"
 
-#include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectKey.h"
-#include "Frame/vtkIndirectReport.h"
-#include "Frame/vtkIndirectSettingList.h"
-#include "Frame/vtkIndirectStageTimer.h"
+#include "OpenGL/vtkIndirectKey.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Plan/vtkIndirectReport.h"
+#include "Plan/vtkIndirectSettingList.h"
+#include "Plan/vtkIndirectStageTimer.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Senders/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
 
 #include <algorithm>

@@ -3,14 +3,14 @@
 // specular receivers.
 #pragma once
 
-#include "Gather/vtkIndirectGlossyGather.h" // for members
-#include "Gather/vtkIndirectLobeGather.h"   // for members
-#include "Gather/vtkIndirectSum.h"
 #include "Multiresolution/vtkIndirectGlossySubsplats.h"      // for members
 #include "Multiresolution/vtkIndirectSubsplatIllumination.h" // for members
 #include "Multiresolution/vtkIndirectSubsplatView.h"         // for members
-#include "VirtualLights/vtkIndirectLightBlock.h"             // for members
-#include "vtkMultiresolutionSplattingPass.h"                 // for settings
+#include "Senders/vtkIndirectLightBlock.h"                   // for members
+#include "Sums/vtkIndirectGlossyGather.h"                    // for members
+#include "Sums/vtkIndirectLobeGather.h"                      // for members
+#include "Sums/vtkIndirectSum.h"
+#include "vtkMultiresolutionSplattingPass.h" // for settings
 
 struct vtkIndirectSubsplatSettings;
 

@@ -3,7 +3,7 @@
 
 #include "Multiresolution/vtkIndirectSubsplatView.h"
 
-#include "Frame/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectFrame.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Multiresolution/vtkIndirectSubsplatIllumination.h"

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/vtkIndirectBounceLight.h"
 
-#include "Frame/vtkIndirectKey.h"
-#include "Frame/vtkIndirectPlan.h"
-#include "Frame/vtkIndirectReport.h"
-#include "Frame/vtkIndirectStageTimer.h"
-#include "Gather/vtkIndirectSum.h"
-#include "LightMaps/vtkIndirectLightMaps.h"
+#include "Maps/vtkIndirectLightMaps.h"
+#include "OpenGL/vtkIndirectKey.h"
 #include "Pipeline/vtkIndirectFrameSamplers.h"
+#include "Plan/vtkIndirectPlan.h"
+#include "Plan/vtkIndirectReport.h"
+#include "Plan/vtkIndirectStageTimer.h"
+#include "Sums/vtkIndirectSum.h"
 #include "vtkIndirectEstimatorPass.h"
 
 //------------------------------------------------------------------------------

@@ -3,9 +3,9 @@
 // the estimator that sums them.
 #pragma once
 
-#include "Frame/vtkIndirectFrameLight.h"        // for the base class
 #include "Pipeline/vtkIndirectSphereBlockers.h" // for a member
-#include "Visibility/vtkIndirectSurfaces.h"     // for a member
+#include "Scene/vtkIndirectSurfaces.h"          // for a member
+#include "Sums/vtkIndirectFrameLight.h"         // for the base class
 #include "Visibility/vtkIndirectVisibility.h"   // for a member
 
 class vtkIndirectEstimatorPass;

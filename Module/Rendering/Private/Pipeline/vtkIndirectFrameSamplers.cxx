@@ -3,10 +3,10 @@
 
 #include "Pipeline/vtkIndirectFrameSamplers.h"
 
-#include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectPlan.h"
-#include "Frame/vtkIndirectReport.h"
-#include "VirtualLights/vtkIndirectMapSampler.h"
+#include "Plan/vtkIndirectPlan.h"
+#include "Plan/vtkIndirectReport.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Senders/vtkIndirectMapSampler.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 

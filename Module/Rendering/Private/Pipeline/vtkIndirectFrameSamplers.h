@@ -3,19 +3,19 @@
 // pipeline or to the user, and the lights of all of them.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"                      // for keys
-#include "OpenGL/vtkIndirectResource.h"                // for the base class
-#include "VirtualLights/vtkIndirectEmitters.h"         // for emitters
-#include "VirtualLights/vtkIndirectHeadlightSampler.h" // for members
-#include "VirtualLights/vtkIndirectSenderSampler.h"    // for members
-#include "VirtualLights/vtkIndirectVirtualLights.h"    // for members
-#include "Visibility/vtkIndirectRefractionSampler.h"   // for members
-#include "vtkAreaLightSampler.h"                       // for members
-#include "vtkLightTreeSampler.h"                       // for members
-#include "vtkNew.h"                                    // for members
-#include "vtkRandomWalkLightSampler.h"                 // for members
-#include "vtkSmartPointer.h"                           // for members
-#include "vtkVirtualLightSampler.h"                    // for members
+#include "OpenGL/vtkIndirectKey.h"                // for keys
+#include "OpenGL/vtkIndirectResource.h"           // for the base class
+#include "Senders/vtkIndirectEmitters.h"          // for emitters
+#include "Senders/vtkIndirectHeadlightSampler.h"  // for members
+#include "Senders/vtkIndirectRefractionSampler.h" // for members
+#include "Senders/vtkIndirectSenderSampler.h"     // for members
+#include "Senders/vtkIndirectVirtualLights.h"     // for members
+#include "vtkAreaLightSampler.h"                  // for members
+#include "vtkLightTreeSampler.h"                  // for members
+#include "vtkNew.h"                               // for members
+#include "vtkRandomWalkLightSampler.h"            // for members
+#include "vtkSmartPointer.h"                      // for members
+#include "vtkVirtualLightSampler.h"               // for members
 
 #include <functional> // for emitters
 #include <string>     // for names

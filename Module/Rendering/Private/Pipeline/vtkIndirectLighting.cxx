@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/vtkIndirectLighting.h"
 
-#include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectInformationKeys.h"
-#include "Frame/vtkIndirectMaterial.h"
-#include "Frame/vtkIndirectPropKind.h"
-#include "Frame/vtkIndirectReport.h"
+#include "Plan/vtkIndirectReport.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Scene/vtkIndirectInformationKeys.h"
+#include "Scene/vtkIndirectMaterial.h"
+#include "Scene/vtkIndirectPropKind.h"
 #include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"

@@ -4,9 +4,9 @@
 // orientation alone.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"                  // for keys
-#include "VirtualLights/vtkIndirectPresetLights.h" // for members
-#include "vtkNew.h"                                // for members
+#include "Emitters/vtkIndirectPresetLights.h" // for members
+#include "OpenGL/vtkIndirectKey.h"            // for keys
+#include "vtkNew.h"                           // for members
 
 #include <vector> // for lists
 

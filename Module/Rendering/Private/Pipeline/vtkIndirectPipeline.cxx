@@ -5,11 +5,12 @@
 
 #include "Capture/vtkIndirectDarkLight.h"
 #include "Capture/vtkIndirectShadowMaps.h"
-#include "Frame/vtkIndirectLightScope.h"
-#include "Gather/vtkIndirectSum.h"
+#include "Emitters/vtkIndirectEmitterAccess.h"
 #include "OpenGL/vtkIndirectBackEndChoices.h"
 #include "OpenGL/vtkIndirectTarget.h"
-#include "VirtualLights/vtkIndirectEmitterAccess.h"
+#include "Scene/vtkIndirectLightScope.h"
+#include "Senders/vtkIndirectAreaSamplerAccess.h"
+#include "Sums/vtkIndirectSum.h"
 #include "vtkAreaLight.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
@@ -116,7 +117,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
       (this->Plan.AutomaticAreaLightsAreVirtual && method == vtkAreaLight::AUTOMATIC);
     (isVirtual ? virtualAreaLights : this->ClosedAreaLights).push_back(light);
   }
-  vtkIndirectEmitterAccess::SetLights(this->Samplers.Area, virtualAreaLights);
+  vtkIndirectAreaSamplerAccess::SetLights(this->Samplers.Area, virtualAreaLights);
   // Old maps are released: they would show outdated shadows when the sky comes from maps again.
   const bool sky = circumstances.Environment && request.Settings.IndirectScale > 0.0;
   if (!sky || this->Plan.SkySource != vtkIndirectPlan::SKY_BY_MAPS)

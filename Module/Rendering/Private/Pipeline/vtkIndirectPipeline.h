@@ -4,42 +4,42 @@
 // hands it on as a const reference that is valid for this frame.
 #pragma once
 
+#include "Area/vtkIndirectAreaGather.h"        // for members
+#include "Area/vtkIndirectVisibleLamps.h"      // for members
 #include "Capture/vtkIndirectCatchers.h"       // for a member
 #include "Capture/vtkIndirectCoarseLevels.h"   // for a member
 #include "Capture/vtkIndirectCreases.h"        // for members
 #include "Capture/vtkIndirectGeometryBuffer.h" // for members
 #include "Capture/vtkSurfaceCapturePass.h"     // for members
-#include "Composite/vtkIndirectAntialiasing.h" // for members
-#include "Composite/vtkIndirectComposite.h"    // for members
-#include "Frame/vtkIndirectCasterBounds.h"     // for a member
-#include "Frame/vtkIndirectFrame.h"            // for members
-#include "Frame/vtkIndirectKey.h"              // for keys
-#include "Frame/vtkIndirectPlan.h"
-#include "Frame/vtkIndirectPointSpheres.h"          // for members
-#include "Frame/vtkIndirectReport.h"                // for members
-#include "Frame/vtkIndirectStageTimer.h"            // for members
-#include "Gather/vtkIndirectAreaGather.h"           // for members
-#include "Gather/vtkIndirectSkyGather.h"            // for members
-#include "Gather/vtkIndirectVisibleLamps.h"         // for members
-#include "OpenGL/vtkIndirectResource.h"             // for the base class
-#include "Pipeline/vtkIndirectBounceLight.h"        // for a member
-#include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
-#include "Pipeline/vtkIndirectImageLight.h"         // for members
-#include "Pipeline/vtkIndirectSphereMotion.h"       // for a member
-#include "VirtualLights/vtkIndirectSkyProjection.h" // for members
-#include "Visibility/vtkIndirectDepthMaps.h"        // for members
-#include "Visibility/vtkIndirectPenumbra.h"         // for members
-#include "Visibility/vtkIndirectViewSamples.h"      // for a member
-#include "vtkAreaLight.h"                           // for members
-#include "vtkEnvironmentLight.h"                    // for members
-#include "vtkIndirectEstimatorPass.h"               // for members
-#include "vtkMultiresolutionSplattingPass.h"        // for members
-#include "vtkNew.h"                                 // for members
-#include "vtkProxyAccumulationPass.h"               // for members
-#include "vtkReflectiveShadowMapPass.h"             // for members
-#include "vtkSmartPointer.h"                        // for members
-#include "vtkTimeStamp.h"                           // for members
-#include "vtkWeakPointer.h"                         // for members
+#include "Emitters/vtkIndirectSkyProjection.h" // for members
+#include "Maps/vtkIndirectDepthMaps.h"         // for members
+#include "Maps/vtkIndirectPenumbra.h"          // for members
+#include "Maps/vtkIndirectViewSamples.h"       // for a member
+#include "OpenGL/vtkIndirectKey.h"             // for keys
+#include "OpenGL/vtkIndirectResource.h"        // for the base class
+#include "Picture/vtkIndirectAntialiasing.h"   // for members
+#include "Picture/vtkIndirectComposite.h"      // for members
+#include "Pipeline/vtkIndirectBounceLight.h"   // for a member
+#include "Pipeline/vtkIndirectFrameSamplers.h" // for members
+#include "Pipeline/vtkIndirectImageLight.h"    // for members
+#include "Pipeline/vtkIndirectSphereMotion.h"  // for a member
+#include "Plan/vtkIndirectPlan.h"
+#include "Plan/vtkIndirectReport.h"          // for members
+#include "Plan/vtkIndirectStageTimer.h"      // for members
+#include "Scene/vtkIndirectCasterBounds.h"   // for a member
+#include "Scene/vtkIndirectFrame.h"          // for members
+#include "Scene/vtkIndirectPointSpheres.h"   // for members
+#include "Sky/vtkIndirectSkyGather.h"        // for members
+#include "vtkAreaLight.h"                    // for members
+#include "vtkEnvironmentLight.h"             // for members
+#include "vtkIndirectEstimatorPass.h"        // for members
+#include "vtkMultiresolutionSplattingPass.h" // for members
+#include "vtkNew.h"                          // for members
+#include "vtkProxyAccumulationPass.h"        // for members
+#include "vtkReflectiveShadowMapPass.h"      // for members
+#include "vtkSmartPointer.h"                 // for members
+#include "vtkTimeStamp.h"                    // for members
+#include "vtkWeakPointer.h"                  // for members
 
 #include <string> // for names
 #include <vector> // for samplers

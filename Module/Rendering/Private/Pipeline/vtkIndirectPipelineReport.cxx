@@ -4,10 +4,10 @@
 
 #include "Pipeline/vtkIndirectPipeline.h"
 
-#include "Frame/vtkIndirectReport.h"
-#include "LightMaps/vtkIndirectLightMap.h"
+#include "Maps/vtkIndirectLightMap.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "Pipeline/vtkIndirectLighting.h"
+#include "Plan/vtkIndirectReport.h"
 #include "vtkCamera.h"
 #include "vtkMath.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -104,7 +104,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   {
     left += this->IsCurrent(part) || part.Waits ? part.Light->GetNumberOfTilesLeft() : 0;
   }
-  this->Frame.AddToReport(report);
+  report.Add({}, this->Frame.DescribeLeftOut());
   if (!this->BuffersAreThere)
   {
     report.Modelled.emplace_back("the delegate alone", this->WhyNoBuffers);

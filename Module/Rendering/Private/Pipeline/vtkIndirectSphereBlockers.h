@@ -4,8 +4,8 @@
 // (vtkIndirectProxyScene), and cast shadows as any other caster does.
 #pragma once
 
-#include "Proxies/vtkIndirectProxyScene.h"         // for a member
-#include "Visibility/vtkIndirectBlockingSpheres.h" // for a member
+#include "Proxies/vtkIndirectProxyScene.h"    // for a member
+#include "Scene/vtkIndirectBlockingSpheres.h" // for a member
 
 class vtkObject;
 struct vtkIndirectFrame;

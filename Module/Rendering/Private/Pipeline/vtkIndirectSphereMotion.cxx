@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/vtkIndirectSphereMotion.h"
 
-#include "Frame/vtkIndirectFrame.h"
 #include "Proxies/vtkIndirectProxyKinds.h"
 #include "Proxies/vtkIndirectProxyLight.h"
+#include "Scene/vtkIndirectFrame.h"
 
 #include <utility>
 

@@ -9,7 +9,7 @@
 // of one picture have the same result.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"           // for a member
+#include "OpenGL/vtkIndirectKey.h"          // for a member
 #include "Proxies/vtkIndirectProxyShapes.h" // for a member
 
 #include <string>        // for reasons

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxyKinds.h"
 
-#include "Frame/vtkIndirectActors.h"
 #include "Proxies/vtkIndirectProxySticks.h"
+#include "Scene/vtkIndirectActors.h"
 #include "vtkActor.h"
 #include "vtkGlyph3DMapper.h"
 #include "vtkMatrix4x4.h"

@@ -3,7 +3,7 @@
 // prop draws: known without collecting them, by mappers and by the shapes of meshes.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"           // for places
+#include "OpenGL/vtkIndirectKey.h"          // for places
 #include "Proxies/vtkIndirectProxyShapes.h" // for shapes
 
 #include <string> // for reasons

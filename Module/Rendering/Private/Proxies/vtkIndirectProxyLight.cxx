@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxyLight.h"
 
+#include "Emitters/vtkIndirectEmitterAccess.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Proxies/vtkIndirectCoefficient.h"
-#include "VirtualLights/vtkIndirectEmitterAccess.h"
 #include "vtkEnvironmentLight.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"

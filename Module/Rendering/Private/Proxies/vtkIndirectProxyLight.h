@@ -3,7 +3,7 @@
 // with the light and the flat polygons.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"           // for a member
+#include "OpenGL/vtkIndirectKey.h"          // for a member
 #include "OpenGL/vtkIndirectResource.h"     // for the base class
 #include "OpenGL/vtkIndirectUniformBlock.h" // for a member
 #include "Proxies/vtkIndirectProxySphere.h" // for polygons

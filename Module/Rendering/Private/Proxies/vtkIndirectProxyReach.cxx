@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxyReach.h"
 
+#include "Emitters/vtkIndirectDirections.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "Proxies/vtkIndirectCoefficient.h"
 #include "Proxies/vtkIndirectProxyTable.h"
-#include "VirtualLights/vtkIndirectDirections.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 // voxels occlude as well, only surfaces drawn as spheres.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"           // for keys
+#include "OpenGL/vtkIndirectKey.h"          // for keys
 #include "Proxies/vtkIndirectProxyShapes.h" // for a member
 
 #include <map>     // for the user's spheres

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxyShapes.h"
 
-#include "Frame/vtkIndirectTriangles.h"
+#include "Scene/vtkIndirectTriangles.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"

@@ -4,7 +4,7 @@
 // the filter's spheres move with them.
 #pragma once
 
-#include "Frame/vtkIndirectKey.h"           // for members
+#include "OpenGL/vtkIndirectKey.h"          // for members
 #include "Proxies/vtkIndirectProxySphere.h" // for shapes
 
 #include "vtkSmartPointer.h" // for the filter

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Proxies/vtkIndirectProxySticks.h"
 
-#include "Frame/vtkIndirectImpostors.h"
+#include "Scene/vtkIndirectImpostors.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkMath.h"

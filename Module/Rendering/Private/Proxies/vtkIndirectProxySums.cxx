@@ -4,10 +4,10 @@
 #include "Proxies/vtkIndirectProxySums.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
 #include "Proxies/vtkIndirectProxyChannels.h"
+#include "Scene/vtkIndirectFrame.h"
 
 #include <algorithm>
 

@@ -4,7 +4,6 @@
 // drawn and blended; both give the same result within rounding.
 #pragma once
 
-#include "Capture/vtkIndirectReceiverGrid.h"     // for a member
 #include "OpenGL/vtkIndirectCommandBuffer.h"     // for a member
 #include "OpenGL/vtkIndirectComputeProgram.h"    // for members
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
@@ -14,6 +13,7 @@
 #include "Proxies/vtkIndirectProxyLight.h"       // for a member
 #include "Proxies/vtkIndirectProxyTreeTables.h"  // for a member
 #include "Splatting/vtkIndirectSplatMesh.h"      // for a member
+#include "Sums/vtkIndirectReceiverGrid.h"        // for a member
 
 #include <string> // for texts
 

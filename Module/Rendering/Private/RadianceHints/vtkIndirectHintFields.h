@@ -2,10 +2,10 @@
 // The light stored in the hints: injected from the maps, bounced, and looked up.
 #pragma once
 
-#include "Frame/vtkIndirectEstimate.h"            // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h"  // for members
 #include "OpenGL/vtkIndirectResource.h"           // for the base class
 #include "OpenGL/vtkIndirectTarget.h"             // for members
+#include "Plan/vtkIndirectEstimate.h"             // for the input
 #include "RadianceHints/vtkIndirectHintDetails.h" // for settings
 
 #include <memory> // for targets

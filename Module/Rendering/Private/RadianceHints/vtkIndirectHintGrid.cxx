@@ -3,8 +3,8 @@
 
 #include "OpenGL/vtkIndirectKernels.h"
 #include "RadianceHints/vtkIndirectHintSurfaces.h"
+#include "Scene/vtkIndirectSurfaces.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
-#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 

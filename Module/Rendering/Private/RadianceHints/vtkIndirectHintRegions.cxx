@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RadianceHints/vtkIndirectHintRegions.h"
 
-#include "Frame/vtkIndirectFrame.h"
-#include "Frame/vtkIndirectPlan.h"
+#include "Plan/vtkIndirectPlan.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkCamera.h"
 #include "vtkRenderer.h"
 

@@ -3,10 +3,10 @@
 
 #include "RadianceHints/vtkIndirectHintSenders.h"
 
-#include "Frame/vtkIndirectFrame.h"
-#include "LightMaps/vtkIndirectLightMaps.h"
+#include "Maps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "Scene/vtkIndirectFrame.h"
 #include "vtkTextureObject.h"
 
 namespace

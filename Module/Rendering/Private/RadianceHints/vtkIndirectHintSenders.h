@@ -4,7 +4,7 @@
 #pragma once
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
-#include "VirtualLights/vtkIndirectSampler.h"
+#include "Senders/vtkIndirectSampler.h"
 #include "vtkNew.h"                 // for members
 #include "vtkUniformLightSampler.h" // for the headlight's pattern
 

@@ -3,15 +3,15 @@
 // look-up at receivers.
 #pragma once
 
-#include "Capture/vtkIndirectReceiverGrid.h" // for members
-#include "Frame/vtkIndirectKey.h"            // for keys
-#include "Gather/vtkIndirectSum.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"  // for members
+#include "OpenGL/vtkIndirectKey.h"                // for keys
 #include "OpenGL/vtkIndirectPointProgram.h"       // for members
 #include "RadianceHints/vtkIndirectHintFields.h"  // for members
 #include "RadianceHints/vtkIndirectHintGrid.h"    // for members
 #include "RadianceHints/vtkIndirectHintSenders.h" // for members
-#include "vtkRadianceHintsPass.h"                 // for settings
+#include "Sums/vtkIndirectReceiverGrid.h"         // for members
+#include "Sums/vtkIndirectSum.h"
+#include "vtkRadianceHintsPass.h" // for settings
 
 class vtkIndirectHintSum : public vtkIndirectSum
 {

@@ -3,11 +3,11 @@
 
 #include "Splatting/vtkIndirectFarField.h"
 
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Senders/vtkIndirectVirtualLights.h"
 #include "Splatting/vtkIndirectSplatTable.h"
-#include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
 
 #include <string>

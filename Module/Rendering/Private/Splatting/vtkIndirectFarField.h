@@ -3,11 +3,11 @@
 // interpolated.
 #pragma once
 
-#include "Capture/vtkIndirectReceiverGrid.h"     // for a member
-#include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for targets
+#include "Plan/vtkIndirectEstimate.h"            // for the input
+#include "Sums/vtkIndirectReceiverGrid.h"        // for a member
 
 class vtkIndirectSplatTable;
 

@@ -4,10 +4,10 @@
 #include "Splatting/vtkIndirectSplatTable.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "VirtualLights/vtkIndirectVirtualLights.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Senders/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
 
 #include <string>

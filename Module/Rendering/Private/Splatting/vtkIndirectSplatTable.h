@@ -3,10 +3,10 @@
 // the lights.
 #pragma once
 
-#include "Frame/vtkIndirectEstimate.h"           // for the input
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
 #include "OpenGL/vtkIndirectResource.h"          // for the base class
 #include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "Plan/vtkIndirectEstimate.h"            // for the input
 #include "vtkType.h"                             // for the time
 
 #include <string> // for definitions

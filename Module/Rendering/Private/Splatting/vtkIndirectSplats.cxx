@@ -4,11 +4,11 @@
 #include "Splatting/vtkIndirectSplats.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
-#include "Frame/vtkIndirectFrame.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "Senders/vtkIndirectVirtualLights.h"
 #include "Splatting/vtkIndirectSplatTable.h"
-#include "VirtualLights/vtkIndirectVirtualLights.h"
 #include "Visibility/vtkIndirectVisibility.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"

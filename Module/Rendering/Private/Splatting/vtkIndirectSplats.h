@@ -3,10 +3,10 @@
 // pixels, or without compute shaders by blended splats. Both give the same result within rounding.
 #pragma once
 
-#include "Frame/vtkIndirectEstimate.h"        // for the input
 #include "OpenGL/vtkIndirectComputeProgram.h" // for a member
 #include "OpenGL/vtkIndirectPointProgram.h"   // for members
 #include "OpenGL/vtkIndirectResource.h"       // for the base class
+#include "Plan/vtkIndirectEstimate.h"         // for the input
 #include "Splatting/vtkIndirectSplatMesh.h"   // for a member
 
 class vtkIndirectSplatTable;

@@ -3,12 +3,12 @@
 
 #include "Visibility/vtkIndirectOccupancyVolume.h"
 
-#include "Frame/vtkIndirectPropKind.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
+#include "Scene/vtkIndirectPolygons.h"
+#include "Scene/vtkIndirectPropKind.h"
+#include "Scene/vtkIndirectSurfaces.h"
 #include "Visibility/vtkIndirectDistanceField.h"
-#include "Visibility/vtkIndirectPolygons.h"
-#include "Visibility/vtkIndirectSurfaces.h"
 #include "vtkMath.h"
 #include "vtkProp.h"
 

@@ -11,10 +11,10 @@
 // request, for radiance hints.
 #pragma once
 
-#include "Frame/vtkIndirectFrame.h"            // for casters
-#include "Frame/vtkIndirectKey.h"              // for keys
 #include "OpenGL/vtkIndirectDataTexture.h"     // for a member
+#include "OpenGL/vtkIndirectKey.h"             // for keys
 #include "OpenGL/vtkIndirectResource.h"        // for the base class
+#include "Scene/vtkIndirectFrame.h"            // for casters
 #include "Visibility/vtkIndirectVoxelPlanes.h" // for a member
 
 #include <glm/glm.hpp> // for vectors

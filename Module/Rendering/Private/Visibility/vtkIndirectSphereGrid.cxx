@@ -5,7 +5,7 @@
 
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
-#include "VirtualLights/vtkIndirectSamplePattern.h"
+#include "Senders/vtkIndirectSamplePattern.h"
 
 #include <algorithm>
 #include <cmath>

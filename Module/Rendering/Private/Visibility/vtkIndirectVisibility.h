@@ -4,12 +4,12 @@
 // depth maps of the lights.
 #pragma once
 
-#include "Frame/vtkIndirectEstimate.h"             // for the needs
-#include "OpenGL/vtkIndirectDataTexture.h"         // for a member
-#include "OpenGL/vtkIndirectResource.h"            // for the base class
-#include "Visibility/vtkIndirectBlockingSpheres.h" // for the input
-#include "Visibility/vtkIndirectDepthMaps.h"       // for depth maps
-#include "Visibility/vtkIndirectSphereGrid.h"      // for a member
+#include "Maps/vtkIndirectDepthMaps.h"        // for depth maps
+#include "OpenGL/vtkIndirectDataTexture.h"    // for a member
+#include "OpenGL/vtkIndirectResource.h"       // for the base class
+#include "Plan/vtkIndirectEstimate.h"         // for the needs
+#include "Scene/vtkIndirectBlockingSpheres.h" // for the input
+#include "Visibility/vtkIndirectSphereGrid.h" // for a member
 
 #include <cstddef> // for size_t
 #include <memory>  // for the volume

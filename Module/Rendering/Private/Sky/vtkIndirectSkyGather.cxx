@@ -1,0 +1,600 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OpenGL/vtkIndirectGL.h"
+
+#include "Sky/vtkIndirectSkyGather.h"
+
+#include "Capture/vtkIndirectCreases.h"
+#include "Capture/vtkIndirectGeometryBuffer.h"
+#include "OpenGL/vtkIndirectKernels.h"
+#include "OpenGL/vtkIndirectUniforms.h"
+#include "Plan/vtkIndirectPlan.h"
+#include "Plan/vtkIndirectReport.h"
+#include "Plan/vtkIndirectStageTimer.h"
+#include "Scene/vtkIndirectFrame.h"
+#include "vtkEnvironmentLight.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const vtkIndirectChannels SkyChannels = {
+  { "sky", "vtkiSky", "irradiance that comes directly from the environment", GL_RGBA32F, "-",
+    "VTK irradiance" },
+};
+const char* const SumMeaning = "what is seen of the directions asked; what they would give";
+const char* const NearMeaning =
+  "what is hidden of the directions over the square of the distance of what hides";
+const vtkIndirectChannels SkySumChannels = {
+  { "sky.sums", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.near", "vtkiSkyNear", NearMeaning, GL_R32F, "-", "their unit" },
+};
+const vtkIndirectChannels StillChannels = {
+  { "sky.sums0", "vtkiSkySums", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.sums1", "vtkiSkySums1", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.sums2", "vtkiSkySums2", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.sums3", "vtkiSkySums3", SumMeaning, GL_RGBA32F, "-", "their unit" },
+  { "sky.near", "vtkiSkyNear", NearMeaning, GL_RGBA32F, "-", "their unit" },
+};
+const vtkIndirectChannels ShareChannels = {
+  { "sky.shares", "vtkiSkyShares", "visible shares of the sky; how far these are smoothed",
+    GL_RGBA32F, "-", "1; scene units" },
+};
+const vtkIndirectChannels OpenColorChannels = {
+  { "sky.openColors", "vtkiOpenColors", "colours of the directions by normals if nothing hid them",
+    GL_RGBA32F, "world", "their unit" },
+};
+const vtkIndirectChannels OpenSkyChannels = {
+  { "sky.open", "vtkiOpenSky", "irradiance by normals if nothing hid the sky; of the directions",
+    GL_RG32F, "world", "their unit" },
+};
+
+// The same number is in vtkIndirectSkyDirections.glsl.
+constexpr size_t RowsPerDirection = 5;
+
+// Directions of a draw, at most 204: 16384 bytes, which every OpenGL allows. Long draws stall a
+// desktop.
+constexpr int SumBlock = 128;
+// Largest number of directions that a pixel without neighbours on its surface looks up by itself;
+// further directions are skipped.
+constexpr int OwnBlock = 64;
+constexpr int StrongTexels = 1024;
+
+// Radius of the smoothing over that of a direction's part of the sky.
+constexpr double SmoothedParts = 1.5;
+// Largest such radius over the picture's height.
+constexpr float MostSmoothed = 1.0f / 8.0f;
+// Neighbours to either side, along rows and along columns.
+constexpr int StillNeighbors = 4;
+constexpr int MovingNeighbors = 2;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+  : vtkIndirectFrameLight(owner)
+  , DepthMaps(maps)
+  , Irradiance(this, SkyChannels, false)
+  , Sums{ { this, StillChannels, false }, { this, SkySumChannels, false } }
+  , Rows(this, SkySumChannels, false)
+  , Shares{ { this, ShareChannels, false }, { this, ShareChannels, false } }
+  , OpenSky(this, OpenSkyChannels, false)
+  , Open(this, SkyChannels, false)
+  , OpenColors(this, OpenColorChannels, false)
+  , Groups{ { {}, {}, StrongTexels, vtkIndirectDepthMaps::STRONG_SKY,
+              maps.Get(vtkIndirectDepthMaps::STRONG_SKY) },
+    { {}, {}, 0, vtkIndirectDepthMaps::SKY, maps.Get(vtkIndirectDepthMaps::SKY) } }
+{
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::UpdateDirections(const Input& input)
+{
+  const int still = input.Plan.NumberOfStillSkyDirections;
+  if (!this->Directions.Update(
+        *input.Projection, input.Environment, input.Plan.NumberOfSkyDirections, still))
+  {
+    return;
+  }
+  this->OpenSkyIsThere = false;
+  std::vector<glm::dvec3> directions[NumberOfGroups];
+  for (const Summand& summand : this->Directions.GetStrong())
+  {
+    directions[Strong].push_back(summand.Direction);
+  }
+  // Each direction has a place, with light or not: it may get light when the environment turns.
+  for (int i = 0; i < still; ++i)
+  {
+    directions[Others].push_back(this->Directions.GetDirection(static_cast<size_t>(i)));
+  }
+  for (int i = 0; i < NumberOfGroups; ++i)
+  {
+    Group& group = this->Groups[i];
+    if (group.Directions != directions[i])
+    {
+      group.Directions = std::move(directions[i]);
+      group.Maps.clear();
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
+{
+  vtkIndirectKey key;
+  frame.AppendFitsTo(key);
+  const bool fits = !this->FitKey.Take(std::move(key));
+  for (Group& group : this->Groups)
+  {
+    if (fits && group.Maps.size() == group.Directions.size())
+    {
+      continue;
+    }
+    group.Maps.resize(group.Directions.size());
+    for (size_t k = 0; k < group.Directions.size(); ++k)
+    {
+      group.Maps[k].Tile = vtkIndirectDepthTile::FromDirection(frame, group.Directions[k]);
+      group.Maps[k].Turn = k;
+    }
+  }
+  Group& others = this->Groups[Others];
+  for (vtkIndirectDepthMaps::Map& map : others.Maps)
+  {
+    map.Sends = false;
+  }
+  for (const Summand& summand : this->Directions.GetOthers())
+  {
+    others.Maps[summand.Number].Sends = true;
+  }
+}
+
+//------------------------------------------------------------------------------
+// Chooses the others that have maps. Until the first map is drawn it chooses all of them: nothing
+// hides a direction without a map, see MakeBlock.
+void vtkIndirectSkyGather::ChooseSummed()
+{
+  const std::vector<Summand>& others = this->Directions.GetOthers();
+  std::vector<size_t> there;
+  for (const Summand& summand : others)
+  {
+    if (this->Groups[Others].Atlas.HasTile(summand.Number))
+    {
+      there.push_back(summand.Number);
+    }
+  }
+  const bool all = !this->Visible || there.empty() || there.size() == others.size();
+  std::vector<Summand> summed = all ? others : this->Directions.Share(there);
+  if (!std::equal(summed.begin(), summed.end(), this->Summed.begin(), this->Summed.end()))
+  {
+    this->Summed = std::move(summed);
+    this->OpenSkyIsThere = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::AppendTo(vtkIndirectKey& key, const Input& input) const
+{
+  // Casters that come to rest get tighter boxes, and the maps other fits.
+  input.Frame.AppendFitsTo(key);
+  key.Add("sky", input.Environment).Add("sky", input.Plan.NumberOfSkyDirections);
+  key.Add("sky", input.Plan.NumberOfStillSkyDirections).Add("sky", input.Plan.SkyBlock);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::Update(const Input& input)
+{
+  input.Timer.Begin(vtkIndirectStageTimer::Visibility);
+  const vtkIndirectFrame& frame = input.Frame;
+  this->UpdateDirections(input);
+  this->Visible = input.Plan.SkyIsShadowed;
+  this->FitTiles(frame);
+  this->Groups[Others].Texels = input.Plan.SkyTileTexels;
+  for (int i = 0; i < NumberOfGroups; ++i)
+  {
+    const Group& group = this->Groups[i];
+    const bool empty =
+      (i == Strong ? this->Directions.GetStrong() : this->Directions.GetOthers()).empty();
+    if (!this->Visible || empty)
+    {
+      this->DepthMaps.Release(group.Client, frame.Window);
+    }
+    else
+    {
+      this->DepthMaps.Request(group.Client, frame, group.Maps, group.Texels);
+    }
+  }
+  input.Timer.End(vtkIndirectStageTimer::Visibility);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSkyGather::Terms vtkIndirectSkyGather::MakeTerms(
+  const std::vector<Summand>& summands, bool strong) const
+{
+  Terms terms;
+  for (size_t k = 0; k < summands.size(); ++k)
+  {
+    const double unit = strong ? 1.0 : this->Directions.GetUnit();
+    terms.push_back({ strong ? k : summands[k].Number, summands[k].Light / vtkMath::Pi() / unit });
+  }
+  return terms;
+}
+
+//------------------------------------------------------------------------------
+std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
+  const Group& group, const Terms& terms, size_t first, size_t size) const
+{
+  using namespace vtkIndirectKernels;
+  std::vector<glm::vec4> block(size * RowsPerDirection, glm::vec4(0.0f));
+  const double texels = group.Atlas.GetTexels() > 0 ? group.Atlas.GetTexels() : group.Texels;
+  const size_t columns = static_cast<size_t>(std::max(1, group.Atlas.GetNumberOfColumns()));
+  for (size_t k = 0; k < size && first + k < terms.size(); ++k)
+  {
+    const Term& term = terms[first + k];
+    const bool there = group.Atlas.HasTile(term.Tile);
+    const vtkIndirectDepthTile& tile =
+      there ? group.Atlas.GetTile(term.Tile) : group.Maps[term.Tile].Tile;
+    const double range = tile.Far - tile.Near;
+    const glm::dvec2 texel = 2.0 / texels * tile.HalfWidth;
+    const double bias = VTKI_TILE_ROUGHNESS * std::max(texel.x, texel.y) / range;
+    auto row = [&](const glm::dvec3& axis, double unit, double origin)
+    { return glm::vec4(glm::dvec4(axis / unit, origin - glm::dot(axis, tile.Place) / unit)); };
+    // A direction without a map is looked up beyond the map's border, where nothing hides it.
+    block[k] = there ? row(tile.Right, texel.x, 0.5 * texels)
+                     : glm::vec4(0.0f, 0.0f, 0.0f, static_cast<float>(-texels));
+    block[size + k] = row(tile.Up, texel.y, 0.5 * texels);
+    block[2 * size + k] = row(tile.Forward, range, -bias);
+    block[3 * size + k] = glm::vec4(
+      glm::dvec4(range * term.Light, range * (term.Light.x + term.Light.y + term.Light.z)));
+    const glm::dvec2 corner = texels *
+      glm::dvec2(
+        static_cast<double>(term.Tile % columns), static_cast<double>(term.Tile / columns));
+    block[4 * size + k] = glm::vec4(glm::dvec4(corner, texel * texel / (range * range)));
+  }
+  return block;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::SetBlock(const Input& input, const vtkIndirectProgram& program,
+  const Group& group, const Terms& terms, size_t first, size_t size)
+{
+  const std::vector<glm::vec4> block = this->MakeBlock(group, terms, first, size);
+  this->Block.Update(input.Frame.Window, block.data(), block.size() * sizeof(glm::vec4));
+  this->Block.Activate(program);
+  program->SetUniformi("vtkiSkyCount", static_cast<int>(std::min(terms.size() - first, size)));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::UpdateOpenSky(const Input& input)
+{
+  constexpr int texels = vtkIndirectKernels::VTKI_OPEN_SKY_TEXELS;
+  const bool there = this->OpenSkyIsThere && this->OpenSky.GetFramebuffer();
+  if (!this->OpenSky.Resize(input.Frame.Window, texels, texels))
+  {
+    return false;
+  }
+  if (!there)
+  {
+    vtkTextureObject* texture = this->OpenSky.GetTexture(0);
+    texture->SetMinificationFilter(vtkTextureObject::Linear);
+    texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    vtkIndirectSkyDirections::OpenSky open = this->Directions.MakeOpenSky(this->Summed);
+    this->OpenSky.Write(0, open.Texels);
+    this->OpenFlux = open.Flux;
+    this->SummedFlux = open.SummedFlux;
+    this->OpenSkyIsThere = true;
+    this->OpenColorsAreThere = false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectEstimate vtkIndirectSkyGather::MakeEstimate(const Input& input)
+{
+  const bool still = input.Still && input.Plan.Caching &&
+    !this->Groups[Strong].Atlas.HasChanged() && !this->Groups[Others].Atlas.HasChanged();
+  this->ChooseSummed();
+  input.Timer.Begin(vtkIndirectStageTimer::Sky);
+  const bool summed = still || this->SumAll(input);
+  input.Timer.End(vtkIndirectStageTimer::Sky);
+  vtkIndirectContribution sky = { vtkIndirectContribution::SKY, &this->Irradiance };
+  sky.Open = input.Plan.Catches ? &this->Open : nullptr;
+  return { summed ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::FAILED, { sky } };
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::SumAll(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const int step = this->Step = input.Plan.SkyBlock;
+  // The sums have a texel for each of four pixels, or parts of whole blocks.
+  const int part = step > 1 ? step : 2;
+  const int factor = step > 1 ? step : 1;
+  const int size[2] = { (frame.Size[0] + part - 1) / part * factor,
+    (frame.Size[1] + part - 1) / part * factor };
+  const auto resize = [&](vtkIndirectTarget& image)
+  { return image.Resize(frame.Window, frame.Size[0], frame.Size[1], &input.Geometry.GetTarget()); };
+  if (!resize(this->Irradiance) || !this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) ||
+    (step > 1 && !resize(this->Rows)) || !resize(this->Shares[0]) || !resize(this->Shares[1]) ||
+    !this->UpdateOpenSky(input))
+  {
+    return false;
+  }
+  vtkIndirectFullScreenState kernelState(frame.Window);
+  bool done = !this->Visible || input.Creases.Update(frame, input.Geometry);
+  if (this->Summed.empty())
+  {
+    this->Irradiance.Begin();
+    this->Irradiance.Clear();
+    this->Irradiance.End();
+  }
+  else
+  {
+    done = done && this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
+      this->FilterColumns(input) && this->Smooth(input);
+  }
+  done = done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
+  if (!input.Plan.Catches)
+  {
+    this->Open.Release(frame.Window);
+    return done;
+  }
+  return done && this->SumOpen(input);
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectSkyGather::GetDefinitions(int block, int step) const
+{
+  return std::string(this->Visible ? "#define VTKI_VISIBILITY\n" : "") + "#define VTKI_SKY_BLOCK " +
+    std::to_string(block) + "\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::Activate(
+  const Input& input, const Group* group, const vtkIndirectProgram& program)
+{
+  input.Geometry.ActivateReceivers(program, input.Frame);
+  if (group && this->Visible)
+  {
+    group->Atlas.Activate(program);
+    input.Creases.Activate(program);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::SumOthers(const Input& input)
+{
+  const Group& group = this->Groups[Others];
+  const int step = input.Plan.SkyBlock;
+  vtkIndirectTarget& sums = this->Sums[step > 1];
+  const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
+  const size_t size = SumBlock;
+  // Neighbours on the sphere go to different places of a block.
+  Terms terms = this->MakeTerms(this->Summed, false);
+  std::sort(terms.begin(), terms.end(),
+    [this](const Term& a, const Term& b)
+    { return this->Directions.GetDirection(a.Tile).y > this->Directions.GetDirection(b.Tile).y; });
+  std::vector<Terms> classes(static_cast<size_t>(step) * step);
+  for (size_t k = 0; k < terms.size(); ++k)
+  {
+    classes[k % classes.size()].push_back(terms[k]);
+  }
+  // A single draw writes; several draws add up.
+  const bool adds = std::any_of(classes.begin(), classes.end(),
+    [&](const Terms& list) { return list.empty() || list.size() > size; });
+
+  vtkIndirectFullScreenProgram& kernel = this->SumKernels[step > 1];
+  kernel.SetDefinitions(
+    this->GetDefinitions(SumBlock, step) + (step > 1 ? "" : "#define VTKI_SKY_PIXELS 4\n"));
+  vtkIndirectProgram program = kernel.Use(input.Frame.Window);
+  if (!program)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = input.Frame.Window->GetState();
+  sums.Begin();
+  if (adds)
+  {
+    sums.Clear();
+  }
+  const vtkIndirectAddition addition(input.Frame.Window, adds);
+  this->Activate(input, &group, program);
+  for (int i = 0; i < step * step; ++i)
+  {
+    const int place[2] = { i % step, i / step };
+    if (step > 1)
+    {
+      state->vtkglViewport(place[0] * part[0], place[1] * part[1], part[0], part[1]);
+      program->SetUniform2i("vtkiSkyPart", part);
+      program->SetUniform2i("vtkiSkyClass", place);
+    }
+    const Terms& list = classes[static_cast<size_t>(i)];
+    for (size_t first = 0; first < list.size(); first += size)
+    {
+      this->SetBlock(input, program, group, list, first, size);
+      kernel.Draw();
+      glFlush();
+    }
+  }
+  sums.End();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::FilterRows(const Input& input)
+{
+  const int step = input.Plan.SkyBlock;
+  const vtkIndirectTarget& sums = this->Sums[1];
+  const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
+  this->RowKernel.SetDefinitions(
+    "#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n");
+  return this->RowKernel.RunOnSurfaces(input.Frame.Window, this->Rows,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Activate(input, nullptr, program);
+      sums.Activate(0, program);
+      sums.Activate(1, program);
+      program->SetUniform2i("vtkiSkyPart", part);
+    });
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::FilterColumns(const Input& input)
+{
+  const bool moving = input.Plan.SkyBlock > 1;
+  const Group* const group = moving ? &this->Groups[Others] : nullptr;
+  const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
+  vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
+  kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
+  return kernel.RunOnSurfaces(input.Frame.Window, this->Shares[0],
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Activate(input, group, program);
+      for (int i = 0; i < sums.GetNumberOfChannels(); ++i)
+      {
+        sums.Activate(i, program);
+      }
+      this->OpenSky.Activate(0, program);
+      vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
+      vtkIndirectSetUniform(program, "vtkiSummedFlux", this->SummedFlux);
+      program->SetUniformf(
+        "vtkiSkyReach", static_cast<float>(SmoothedParts * this->FindPartAngle(input)));
+      if (moving)
+      {
+        const Terms terms = this->MakeTerms(this->Summed, false);
+        this->SetBlock(input, program, *group, terms, 0, OwnBlock);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+// Finds the angle between the middle and the rim of the part of the sky that a direction
+// represents.
+double vtkIndirectSkyGather::FindPartAngle(const Input& input) const
+{
+  // Until all maps are there, fewer directions represent the sky.
+  const double there = static_cast<double>(this->Summed.size()) /
+    static_cast<double>(std::max<size_t>(this->Directions.GetOthers().size(), 1));
+  return 2.0 / std::sqrt(input.Plan.NumberOfSkyDirections * there);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::Smooth(const Input& input)
+{
+  const double angle = this->FindPartAngle(input);
+  const int neighbors = !this->Visible ? 0
+    : input.Plan.SkyBlock > 1          ? MovingNeighbors
+                                       : StillNeighbors;
+  for (int k = 0; k < 2; ++k)
+  {
+    vtkIndirectFullScreenProgram& kernel = this->SmoothKernels[k];
+    kernel.SetDefinitions(k == 0 ? "#define VTKI_SKY_ROWS\n" : "");
+    const bool done = kernel.RunOnSurfaces(input.Frame.Window,
+      k == 0 ? this->Shares[1] : this->Irradiance,
+      [&](const vtkIndirectProgram& program)
+      {
+        this->Activate(input, nullptr, program);
+        this->Shares[k].Activate(0, program);
+        program->SetUniformi("vtkiSkyNeighbors", neighbors);
+        program->SetUniformf("vtkiSkyTurn", static_cast<float>(1.0 / (angle * angle)));
+        program->SetUniformf("vtkiSkyMost", MostSmoothed * static_cast<float>(input.Frame.Size[1]));
+        if (k == 1)
+        {
+          this->OpenSky.Activate(0, program);
+          vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
+          program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
+        }
+      });
+    if (!done)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::SumStrong(const Input& input)
+{
+  const Group& group = this->Groups[Strong];
+  const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
+  this->StrongKernel.SetDefinitions(this->GetDefinitions(SumBlock, 1) + "#define VTKI_FILTERED\n");
+  const vtkIndirectAddition addition(input.Frame.Window);
+  return this->StrongKernel.Run(input.Frame.Window, this->Irradiance,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Activate(input, &group, program);
+      // There are at most 32 strong directions.
+      this->SetBlock(input, program, group, terms, 0, SumBlock);
+    });
+}
+
+//------------------------------------------------------------------------------
+// Finds the same light if nothing hid the sky, at surfaces that catch light.
+bool vtkIndirectSkyGather::SumOpen(const Input& input)
+{
+  constexpr int texels = vtkIndirectKernels::VTKI_OPEN_SKY_TEXELS;
+  const bool there = this->OpenColorsAreThere && this->OpenColors.GetFramebuffer();
+  if (!this->Open.Resize(input.Frame.Window, input.Frame.Size[0], input.Frame.Size[1]) ||
+    !this->OpenColors.Resize(input.Frame.Window, texels, texels))
+  {
+    return false;
+  }
+  if (!there)
+  {
+    vtkTextureObject* texture = this->OpenColors.GetTexture(0);
+    texture->SetMinificationFilter(vtkTextureObject::Linear);
+    texture->SetMagnificationFilter(vtkTextureObject::Linear);
+    const vtkIndirectSkyDirections::OpenColors open = this->Directions.MakeOpenColors(this->Summed);
+    this->OpenColors.Write(0, open.Texels);
+    this->ColorFlux = open.Flux;
+    this->OpenColorsAreThere = true;
+  }
+  const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
+  this->OpenKernel.SetDefinitions(
+    "#define VTKI_FILTERED\n#define VTKI_SKY_BLOCK " + std::to_string(OwnBlock) + "\n");
+  return this->OpenKernel.Run(input.Frame.Window, this->Open,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Activate(input, nullptr, program);
+      this->OpenSky.Activate(0, program);
+      this->OpenColors.Activate(0, program);
+      vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
+      vtkIndirectSetUniform(program, "vtkiColorFlux", this->ColorFlux);
+      program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
+      this->SetBlock(input, program, this->Groups[Strong], terms, 0, OwnBlock);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
+{
+  const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
+    this->Directions.GetOthers().size() };
+  std::string maps;
+  for (int i = 0; i < NumberOfGroups; ++i)
+  {
+    if (this->Visible && counts[i] > 0)
+    {
+      maps += (maps.empty() ? "; depth maps: " : ", ") + std::to_string(counts[i]) + " of " +
+        std::to_string(this->Groups[i].Atlas.GetTexels()) + " texels squared";
+    }
+  }
+  std::string what = std::to_string(this->Summed.size()) + " directions";
+  what += this->Step > 1 ? ", a pixel of " + std::to_string(this->Step * this->Step) +
+      " asks each, averaged over its surface"
+                         : "";
+  what += counts[Strong] > 0 ? "; strong ones: " + std::to_string(counts[Strong]) : "";
+  report.Modelled.emplace_back("light from the sky", what + maps);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSkyGather::ReleaseOwn(vtkWindow* window)
+{
+  this->OpenSkyIsThere = this->OpenColorsAreThere = false;
+  for (const Group& group : this->Groups)
+  {
+    this->DepthMaps.Release(group.Client, window);
+  }
+  this->Directions.Forget();
+}

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Irradiance that comes directly from an environment: summed over directions that are fixed in the
+// world, each with a depth map of the scene. Turning or changing the environment changes weights
+// alone; maps are kept while the camera moves.
+//
+// A pixel of a still frame looks up all directions. A pixel of a moving one looks up some of them,
+// and the pixels of a block together look up all (Keller and Heidrich 2001, "Interleaved
+// sampling"). Pixels with the same directions are drawn together (Segovia, Iehl, Mitanchey, Peroche
+// 2006, "Non-interleaved deferred shading of interleaved sample patterns"), and then averaged over
+// neighbours on their surface.
+//
+// The directions give the visible share of their light: the irradiance is this share of the
+// unoccluded sky's irradiance, which is known. So directions that a frame cannot choose in number
+// or place, such as those of neighbours, change the hidden share alone.
+//
+// A direction represents a part of the sky and has the sharp shadow of the part's middle: the share
+// is smoothed over neighbours on the surface, by the part's width at the distance of what hides.
+//
+// A direction with much of the light, such as a sun's, has a finer map and filtered edges of its
+// shadows, at every pixel.
+//
+// Limits: shadows between those of the directions are lost, as are surfaces finer than a tile's
+// texel (too dark in relief, too bright at contacts).
+#pragma once
+
+#include "Maps/vtkIndirectDepthMaps.h"           // for depth maps
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
+#include "OpenGL/vtkIndirectKey.h"               // for keys
+#include "OpenGL/vtkIndirectTarget.h"            // for a member
+#include "OpenGL/vtkIndirectUniformBlock.h"      // for a member
+#include "Sky/vtkIndirectSkyDirections.h"        // for a member
+#include "Sums/vtkIndirectFrameLight.h"          // for the base class
+
+#include <glm/glm.hpp> // for blocks
+#include <string>      // for definitions
+#include <vector>      // for lists
+
+struct vtkIndirectFrame;
+
+class vtkIndirectSkyGather : public vtkIndirectFrameLight
+{
+public:
+  vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
+
+  void AppendTo(vtkIndirectKey& key, const Input& input) const override;
+  /**
+   * Asks for maps of strong directions, and for those of the other directions in an order that
+   * spreads any number of them over the sky. The directions that have maps represent the whole sky.
+   */
+  bool Update(const Input& input) override;
+  int GetNumberOfTilesLeft() const override
+  {
+    return this->Groups[Strong].Atlas.GetNumberOfTilesLeft() +
+      this->Groups[Others].Atlas.GetNumberOfTilesLeft();
+  }
+  vtkIndirectEstimate MakeEstimate(const Input& input) override;
+  void AddToReport(vtkIndirectReport& report) const override;
+
+protected:
+  void ReleaseOwn(vtkWindow* window) override;
+
+private:
+  using Summand = vtkIndirectSkyDirections::Summand;
+
+  // Directions with maps of one kind.
+  struct Group
+  {
+    std::vector<glm::dvec3> Directions; // directions with a place in the atlas
+    std::vector<vtkIndirectDepthMaps::Map> Maps;
+    int Texels;
+    vtkIndirectDepthMaps::ClientType Client;
+    const vtkIndirectDepthAtlas& Atlas; // maps as they were drawn
+  };
+  // This is a direction that is summed: its place in its group's atlas, and its light.
+  struct Term
+  {
+    size_t Tile;
+    glm::dvec3 Light; // irradiance of a surface that faces it
+  };
+  using Terms = std::vector<Term>;
+
+  void UpdateDirections(const Input& input);
+  void FitTiles(const vtkIndirectFrame& frame);
+  void ChooseSummed();
+  Terms MakeTerms(const std::vector<Summand>& summands, bool strong) const;
+  std::vector<glm::vec4> MakeBlock(
+    const Group& group, const Terms& terms, size_t first, size_t size) const;
+  void SetBlock(const Input& input, const vtkIndirectProgram& program, const Group& group,
+    const Terms& terms, size_t first, size_t size);
+  bool UpdateOpenSky(const Input& input);
+  bool SumAll(const Input& input);
+  std::string GetDefinitions(int block, int step) const;
+  void Activate(const Input& input, const Group* group, const vtkIndirectProgram& program);
+  bool SumOthers(const Input& input);
+  bool FilterRows(const Input& input);
+  bool FilterColumns(const Input& input);
+  double FindPartAngle(const Input& input) const;
+  bool Smooth(const Input& input);
+  bool SumStrong(const Input& input);
+  bool SumOpen(const Input& input);
+
+  vtkIndirectDepthMaps& DepthMaps;
+  vtkIndirectTarget Irradiance;
+  vtkIndirectTarget Sums[2];   // sums of pixels' own directions; of still and moving frames
+  vtkIndirectTarget Rows;      // sums over neighbours in the row
+  vtkIndirectTarget Shares[2]; // visible shares of the sky; their means along rows
+  vtkIndirectTarget OpenSky;
+  vtkIndirectTarget Open;       // Irradiance if nothing hid the sky, for surfaces that catch light
+  vtkIndirectTarget OpenColors; // colours of the directions in OpenSky
+  enum GroupType
+  {
+    Strong,
+    Others,
+    NumberOfGroups
+  };
+  Group Groups[NumberOfGroups];
+  vtkIndirectSkyDirections Directions;
+  std::vector<Summand> Summed; // summed directions of the others: those with maps represent all
+  vtkIndirectUniformBlock Block{ this, "vtkiSkyBlock" };
+
+  // Programs for still and moving frames, which alternate too often to be built again each time.
+  vtkIndirectFullScreenProgram SumKernels[2]{ { this, "vtkIndirectSkyFS.glsl" },
+    { this, "vtkIndirectSkyFS.glsl" } };
+  vtkIndirectFullScreenProgram ColumnKernels[2]{ { this, "vtkIndirectSkyFilterFS.glsl" },
+    { this, "vtkIndirectSkyFilterFS.glsl" } };
+  vtkIndirectFullScreenProgram RowKernel{ this, "vtkIndirectSkyFilterFS.glsl" };
+  // along rows, along columns
+  vtkIndirectFullScreenProgram SmoothKernels[2]{ { this, "vtkIndirectSkySmoothFS.glsl" },
+    { this, "vtkIndirectSkySmoothFS.glsl" } };
+  vtkIndirectFullScreenProgram StrongKernel{ this, "vtkIndirectSkyFS.glsl" };
+
+  vtkIndirectFullScreenProgram OpenKernel{ this, "vtkIndirectSkyOpenFS.glsl" };
+
+  vtkIndirectKey FitKey; // the inputs of the tiles' fit
+  bool OpenSkyIsThere = false;
+  bool OpenColorsAreThere = false;
+  glm::mat3 ColorFlux{ 0.0f };
+  glm::vec3 OpenFlux{ 0.0f };
+  glm::vec3 SummedFlux{ 0.0f };
+  bool Visible = false;
+  int Step = 1; // edge, in the last frame, of the blocks of pixels that share directions
+};
