@@ -352,35 +352,14 @@ bool vtkIndirectProxySums::Upsample(
   const std::string upsampling = input.Upsampling > 0
     ? "#define VTKI_UPSAMPLING " + std::to_string(input.Upsampling) + "\n"
     : std::string();
-  vtkIndirectProgram program = this->Upsampling.Use(
-    input.Frame.Window, definitions + upsampling + vtkIndirectReceiverGrid::DefineStep(input.Step));
-  if (!program)
-  {
-    return false;
-  }
-  // The depth test branches where software's shaders cannot: background fills most of many
-  // pictures.
-  vtkOpenGLState* state = input.Frame.Window->GetState();
-  vtkOpenGLState::ScopedglDepthFunc depthFunc(state);
-  vtkOpenGLState::ScopedglDepthMask depthMask(state);
-  state->vtkglDepthMask(GL_FALSE);
-  image.Begin();
-  state->vtkglEnable(GL_DEPTH_TEST);
-  glDepthRange(1.0, 1.0);
-  state->vtkglDepthFunc(GL_GREATER);
-  this->Activate(input, program);
-  this->Coarse.ActivateAll(program);
-  this->Upsampling.Draw();
-  program = this->Background.Use(input.Frame.Window);
-  state->vtkglDepthFunc(GL_EQUAL);
-  if (program)
-  {
-    this->Background.Draw();
-  }
-  glDepthRange(0.0, 1.0);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  image.End();
-  return program != nullptr;
+  this->Upsampling.SetDefinitions(
+    definitions + upsampling + vtkIndirectReceiverGrid::DefineStep(input.Step));
+  return this->Upsampling.RunOnSurfaces(input.Frame.Window, image,
+    [&](const vtkIndirectProgram& program)
+    {
+      this->Activate(input, program);
+      this->Coarse.ActivateAll(program);
+    });
 }
 
 //------------------------------------------------------------------------------

@@ -91,6 +91,5 @@ private:
   vtkIndirectPointProgram Splatting{ this, "vtkIndirectProxySplatVS.glsl",
     "vtkIndirectProxySplatFS.glsl" };
   vtkIndirectFullScreenProgram Upsampling{ this, "vtkIndirectProxyUpsampleFS.glsl" };
-  vtkIndirectFullScreenProgram Background{ this, "vtkIndirectClearFS.glsl" };
   vtkIndirectFullScreenProgram Resolving{ this, "vtkIndirectProxyResolveFS.glsl" };
 };
