@@ -347,6 +347,16 @@ VTK_INDIRECT_TEST(MapProjections)
   }
 }
 
+VTK_INDIRECT_TEST(IntervalsWithoutLength)
+{
+  const vtkIndirectInterval flat = vtkIndirectInterval::Find(0.0, 0.0, 0.0);
+  CheckEqual("half of an interval of a flat scene", flat.Half, 0.0);
+  CheckEqual("the middle", flat.Middle, 0.0);
+  const vtkIndirectInterval point = vtkIndirectInterval::Find(0.3, 0.3, 1.0, 0.0, 0.8);
+  CheckAtMost("half of an interval around a point", point.Half, 1e-7, "2^-24 of the map");
+  CheckAbsolute("its middle", point.Middle, 0.3, 1e-7, "a quarter of its half width");
+}
+
 VTK_INDIRECT_TEST(MapWindow)
 {
   // The eye sees a small part of each scene: the window holds this part, has texels as fine as the

@@ -43,6 +43,9 @@ constexpr double WidestTexel = 1.5;
 // A window is worth drawing if it halves the texels of half of the picture, or does as much.
 constexpr double LeastGain = 0.5;
 constexpr size_t FewestPlaces = 64;
+// A window has half of a map's width or less; each width is this share of the next larger one.
+// Halves would leave texels up to twice as wide as the places need.
+constexpr double WindowShare = 0.8;
 
 // A place that the eye sees, in a map, and the width of a texel that suffices there.
 struct SeenTexel
@@ -72,7 +75,7 @@ vtkIndirectShadowMap::WindowType FindWindow(
     // Both axes have the longer one's length.
     const double middle = 0.5 * (lower[axis] + upper[axis]);
     const vtkIndirectInterval held =
-      vtkIndirectInterval::Find(middle - needed, middle + needed, halfWidth, least);
+      vtkIndirectInterval::Find(middle - needed, middle + needed, halfWidth, least, WindowShare);
     window.Middle[axis] = held.Middle;
     window.HalfWidth = held.Half;
   }

@@ -15,8 +15,9 @@
 #include <vector>    // for places
 
 /**
- * An interval of a map or of an axis, of half a length, half of this, and so on, whose middle is a
- * multiple of a quarter of its half width. A camera that moves a little thus keeps the interval.
+ * An interval of a map or of an axis, of half a length, a share of this, the same share of the
+ * result, and so on, whose middle is a multiple of a quarter of its half width. A camera that moves
+ * a little thus keeps the interval.
  */
 struct vtkIndirectInterval
 {
@@ -25,18 +26,21 @@ struct vtkIndirectInterval
 
   /**
    * Returns the shortest interval that holds two places, `most` long on either side of its middle,
-   * or, around zero, if even this one does not hold them; least: of the half width.
+   * or, around zero, if even this one does not hold them. least: of the half width; share: of each
+   * length in the next longer one.
    */
-  static vtkIndirectInterval Find(double lower, double upper, double most, double least = 0.0)
+  static vtkIndirectInterval Find(
+    double lower, double upper, double most, double least = 0.0, double share = 0.5)
   {
     constexpr double parts = 4.0;
-    constexpr int halvings = 24;
+    constexpr double shortest = 1.0 / (1 << 24);
     // The middle moves by half a step at most.
     const double needed = std::max(0.5 * (upper - lower) / (1.0 - 0.5 / parts), least);
     double half = most;
-    for (int i = 0; i < halvings && 0.5 * half >= needed; ++i)
+    // The first comparison is false for an axis without length.
+    for (double next = 0.5 * most; next > shortest * most && next >= needed; next *= share)
     {
-      half *= 0.5;
+      half = next;
     }
     const double step = half / parts;
     return half < most
