@@ -19,6 +19,8 @@ vec3 vtkiFindCaught(vec2 position, vec4 surface, vec3 direct, vec3 albedo, float
   {
     vtkiAddIrradiance(position, sky, area, bounce);
     VTKI_ADD_OPEN
+    sky = vtkiScalePresetLight(surface, sky);
+    open = vtkiScalePresetLight(surface, open);
   }
   vec3 light = direct + albedo * (sky + area + bounce) * scale;
   vec3 alone = openLit + albedo * open * (scale * vtkiStrength);

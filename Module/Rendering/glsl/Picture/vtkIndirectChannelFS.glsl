@@ -32,6 +32,7 @@ void main()
   if (lit)
   {
     vtkiAddIrradiance(vec2(pixel) + 0.5f, sky, area, bounce);
+    sky = vtkiScalePresetLight(surface, sky);
     vtkiAddRadiance(vec2(pixel) + 0.5f, 1.0f, glossy);
   }
   vec3 irradiance = bounce + sky + area;

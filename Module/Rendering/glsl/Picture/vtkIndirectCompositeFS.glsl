@@ -45,20 +45,20 @@ void main()
   // Estimators write zero where no lit surface was drawn.
   if (vtkiIndirectScale > 0.0f)
   {
+#if defined(VTKI_ENCODED) || defined(VTKI_LAMPS)
+    vec4 surface = textureLod(vtkiSurface, pixel, 0.0f);
+#else
+    vec4 surface = vec4(0.0f);
+#endif
     vec3 sky = vec3(0.0f);
     vec3 area = vec3(0.0f);
     vec3 bounce = vec3(0.0f);
     vtkiAddIrradiance(position, sky, area, bounce);
+    sky = vtkiScalePresetLight(surface, sky);
     vec3 indirect = albedo * (sky + area + bounce) * (vtkiIndirectScale * lit.a);
     vtkiAddRadiance(position, vtkiIndirectScale * lit.a, indirect);
-#if defined(VTKI_ENCODED) || defined(VTKI_LAMPS)
-    vec4 surface = textureLod(vtkiSurface, pixel, 0.0f);
-    vec3 direct =
-      vtkiKeepLamps(surface, albedo * lit.a, vtkiDecodeShading(surface, lit.rgb));
+    vec3 direct = vtkiKeepLamps(surface, albedo * lit.a, vtkiDecodeShading(surface, lit.rgb));
     lit.rgb = vtkiEncodeShading(surface, direct + indirect);
-#else
-    lit.rgb += indirect;
-#endif
   }
   gl_FragData[0] = lit;
 #ifndef VTKI_DEPTH_COPIED
