@@ -43,9 +43,6 @@ constexpr double WidestTexel = 1.5;
 // A window is worth drawing if it halves the texels of half of the picture, or does as much.
 constexpr double LeastGain = 0.5;
 constexpr size_t FewestPlaces = 64;
-// A window has half of a map's width or less; each width is this share of the next larger one.
-// Halves would leave texels up to twice as wide as the places need.
-constexpr double WindowShare = 0.8;
 
 // A place that the eye sees, in a map, and the width of a texel that suffices there.
 struct SeenTexel
@@ -56,7 +53,7 @@ struct SeenTexel
 
 // Returns a window that holds the first places and is no finer than they need.
 vtkIndirectShadowMap::WindowType FindWindow(
-  const std::vector<SeenTexel>& seen, size_t count, double halfWidth, int texels)
+  const std::vector<SeenTexel>& seen, size_t count, double halfWidth, int texels, double share)
 {
   glm::dvec2 lower = seen.front().At;
   glm::dvec2 upper = lower;
@@ -75,7 +72,7 @@ vtkIndirectShadowMap::WindowType FindWindow(
     // Both axes have the longer one's length.
     const double middle = 0.5 * (lower[axis] + upper[axis]);
     const vtkIndirectInterval held =
-      vtkIndirectInterval::Find(middle - needed, middle + needed, halfWidth, least, WindowShare);
+      vtkIndirectInterval::Find(middle - needed, middle + needed, halfWidth, least, share);
     window.Middle[axis] = held.Middle;
     window.HalfWidth = held.Half;
   }
@@ -164,7 +161,7 @@ void vtkIndirectLightMap::Fit(const vtkIndirectFrame& frame, const vtkIndirectLi
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectLightMap::FitWindow(const vtkIndirectFrame& frame, int texels)
+void vtkIndirectLightMap::FitWindow(const vtkIndirectFrame& frame, int texels, double share)
 {
   this->Window = {};
   if (this->Projection == vtkIndirectKernels::VTKI_MAP_FACES)
@@ -188,7 +185,7 @@ void vtkIndirectLightMap::FitWindow(const vtkIndirectFrame& frame, int texels)
   // A window of the places with the finest pixels is finer than a window of all places.
   for (size_t count = seen.size(); count >= FewestPlaces; count /= 2)
   {
-    const WindowType window = FindWindow(seen, count, this->HalfWidth, texels);
+    const WindowType window = FindWindow(seen, count, this->HalfWidth, texels, share);
     const double gain = FindGain(seen, window, this->HalfWidth, texels);
     if (gain > most)
     {

@@ -18,9 +18,10 @@ public:
   /**
    * Chooses the window of a map whose texels are wider than the picture's pixels where the eye sees
    * them: the part of the map that gains most, or none. texels: along an edge of the map and of the
-   * window.
+   * window. The window has half of the map's width or less; share: of each width in the next larger
+   * one.
    */
-  void FitWindow(const vtkIndirectFrame& frame, int texels);
+  void FitWindow(const vtkIndirectFrame& frame, int texels, double share = 0.5);
   /** Returns true if the texels of the window are senders; a parallel map's are. */
   bool HasSenderWindow() const { return this->Window.Layer >= 0 && !this->Light.Positional; }
 

@@ -63,6 +63,11 @@ constexpr int LeastMapTexels = 16;
 constexpr double MostTexelsOfAutomatic = 8.0 * 1024.0 * 1024.0;
 constexpr int LeastTexelsOfAutomatic = 512;
 
+// Widths of windows, as shares of the next larger one. A shadow is finest in a window no wider than
+// what the eye sees. Senders beside the window light what the eye sees, too.
+constexpr double ShareOfShadows = 0.8;
+constexpr double ShareOfSenders = 0.5;
+
 double FindMostError(const vtkIndirectPlan& plan)
 {
   return plan.Interactive ? MostErrorInMotion : 0.0;
@@ -217,7 +222,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
       map.AppendTo(inputs);
       if (fitted.Inputs.Take(inputs))
       {
-        map.FitWindow(frame, this->Texels);
+        map.FitWindow(frame, this->Texels, plan.Shadows ? ShareOfShadows : ShareOfSenders);
         fitted.Window = map.Window;
       }
       map.Window = fitted.Window;
