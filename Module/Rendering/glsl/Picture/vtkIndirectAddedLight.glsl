@@ -46,15 +46,33 @@ vec3 vtkiFetchCoarse(sampler2D pixels, vec2 position)
                                      : (corner.a == VTKI_CELL_EMPTY ? vec3(0.0f) : own);
 }
 
+// Returns the share of lamps' irradiance that a surface of albedo one reflects diffusely: VTK's PBR
+// divides by pi.
+float vtkiLampShare(vec4 surface)
+{
+  return vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED ? 1.0f / VTKI_PI : 1.0f;
+}
+
+// Returns irradiance of the sky in the unit of other irradiance: a preset's sky stands for lamps.
+vec3 vtkiFindSky(vec4 surface, vec3 sky)
+{
+#ifdef VTKI_LAMPS
+  return sky * vtkiLampShare(surface);
+#else
+  return sky;
+#endif
+}
+
 // The irradiance directly from the sky and from area lights, and that of bounces. Bounces are
 // bounded: together with direct light they cannot exceed all the light in the scene. Their errors
 // are largest in crevices, where this bound applies.
-void vtkiAddIrradiance(vec2 position, inout vec3 sky, inout vec3 area, inout vec3 bounce)
+void vtkiAddIrradiance(
+  vec2 position, vec4 surface, inout vec3 sky, inout vec3 area, inout vec3 bounce)
 {
   vec2 place = position / vec2(vtkiSize);
   VTKI_ADD_IRRADIANCE
   bounce = min(bounce, max(vtkiGreatest - (sky + area), vec3(0.0f)));
-  sky *= vtkiStrength;
+  sky = vtkiFindSky(surface, sky * vtkiStrength);
   area *= vtkiStrength;
   bounce *= vtkiStrength;
 }

@@ -41,22 +41,11 @@ vec3 vtkiFindLampLight(vec4 surface, vec3 albedo, vec3 direct)
   {
     light += max(dot(normal, vtkiLampDirections[i]), 0.0f) * vtkiLampColors[i];
   }
-  // VTK's PBR divides by pi, and loses what its specular lobe reflects, which is ignored here.
-  light *= albedo * (vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED ? 1.0f / VTKI_PI : 1.0f);
+  // VTK's PBR loses what its specular lobe reflects, which is ignored here.
+  light *= albedo * vtkiLampShare(surface);
   light = vtkiSurfaceIsLit(surface) ? light : vec3(0.0f);
 #endif
   return min(light, max(direct, vec3(0.0f)));
-}
-
-// Returns light of a preset's sky as the surface reflects it: the sky stands for lamps, whose diffuse
-// light VTK's PBR divides by pi.
-vec3 vtkiScalePresetLight(vec4 surface, vec3 light)
-{
-#if defined(VTKI_LAMPS) && defined(VTKI_ENCODED)
-  return vtkiSurfaceKind(surface) == VTKI_SURFACE_ENCODED ? light * (1.0f / VTKI_PI) : light;
-#else
-  return light;
-#endif
 }
 
 // Returns VTK's shading without the share of the lamps' diffuse light that is replaced.

@@ -17,10 +17,9 @@ vec3 vtkiFindCaught(vec2 position, vec4 surface, vec3 direct, vec3 albedo, float
   vec3 open = vec3(0.0f);
   if (scale > 0.0f)
   {
-    vtkiAddIrradiance(position, sky, area, bounce);
+    vtkiAddIrradiance(position, surface, sky, area, bounce);
     VTKI_ADD_OPEN
-    sky = vtkiScalePresetLight(surface, sky);
-    open = vtkiScalePresetLight(surface, open);
+    open = vtkiFindSky(surface, open);
   }
   vec3 light = direct + albedo * (sky + area + bounce) * scale;
   vec3 alone = openLit + albedo * open * (scale * vtkiStrength);

@@ -31,8 +31,7 @@ void main()
   vec3 glossy = vec3(0.0f);
   if (lit)
   {
-    vtkiAddIrradiance(vec2(pixel) + 0.5f, sky, area, bounce);
-    sky = vtkiScalePresetLight(surface, sky);
+    vtkiAddIrradiance(vec2(pixel) + 0.5f, surface, sky, area, bounce);
     vtkiAddRadiance(vec2(pixel) + 0.5f, 1.0f, glossy);
   }
   vec3 irradiance = bounce + sky + area;

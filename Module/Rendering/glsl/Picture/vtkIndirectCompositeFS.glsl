@@ -53,8 +53,7 @@ void main()
     vec3 sky = vec3(0.0f);
     vec3 area = vec3(0.0f);
     vec3 bounce = vec3(0.0f);
-    vtkiAddIrradiance(position, sky, area, bounce);
-    sky = vtkiScalePresetLight(surface, sky);
+    vtkiAddIrradiance(position, surface, sky, area, bounce);
     vec3 indirect = albedo * (sky + area + bounce) * (vtkiIndirectScale * lit.a);
     vtkiAddRadiance(position, vtkiIndirectScale * lit.a, indirect);
     vec3 direct = vtkiKeepLamps(surface, albedo * lit.a, vtkiDecodeShading(surface, lit.rgb));

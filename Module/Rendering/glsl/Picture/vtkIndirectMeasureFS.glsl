@@ -48,8 +48,7 @@ void main()
       vec3 sky = vec3(0.0f);
       vec3 area = vec3(0.0f);
       vec3 bounce = vec3(0.0f);
-      vtkiAddIrradiance(position, sky, area, bounce);
-      sky = vtkiScalePresetLight(surface, sky);
+      vtkiAddIrradiance(position, surface, sky, area, bounce);
       vec3 own = albedo * (sky + area + bounce);
       vtkiAddRadiance(position, 1.0f, own);
       vec3 lamps = vtkiFindLampLight(surface, albedo, direct);
