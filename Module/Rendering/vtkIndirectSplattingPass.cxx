@@ -4,6 +4,8 @@
 #include "vtkIndirectSplattingPass.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Gather/vtkIndirectGlossyGather.h"
+#include "Gather/vtkIndirectLobeGather.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
 #include "OpenGL/vtkIndirectUniforms.h"
@@ -15,8 +17,6 @@
 #include "Splatting/vtkIndirectFarField.h"
 #include "Splatting/vtkIndirectSplatTable.h"
 #include "Splatting/vtkIndirectSplats.h"
-#include "Sums/vtkIndirectGlossyGather.h"
-#include "Sums/vtkIndirectLobeGather.h"
 #include "Sums/vtkIndirectSum.h"
 #include "vtkImportanceLightSampler.h"
 #include "vtkObjectFactory.h"

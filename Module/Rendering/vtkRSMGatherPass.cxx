@@ -4,6 +4,8 @@
 #include "vtkRSMGatherPass.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
+#include "Gather/vtkIndirectGlossyGather.h"
+#include "Gather/vtkIndirectLobeGather.h"
 #include "Maps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectFullScreenProgram.h"
 #include "OpenGL/vtkIndirectKernels.h"
@@ -13,8 +15,6 @@
 #include "Plan/vtkIndirectStageTimer.h"
 #include "Senders/vtkIndirectAllTexelsSampler.h"
 #include "Senders/vtkIndirectVirtualLights.h"
-#include "Sums/vtkIndirectGlossyGather.h"
-#include "Sums/vtkIndirectLobeGather.h"
 #include "Sums/vtkIndirectReceiverGrid.h"
 #include "Sums/vtkIndirectSum.h"
 #include "Visibility/vtkIndirectVisibility.h"

@@ -3,12 +3,12 @@
 // specular receivers.
 #pragma once
 
+#include "Gather/vtkIndirectGlossyGather.h"                  // for members
+#include "Gather/vtkIndirectLobeGather.h"                    // for members
 #include "Multiresolution/vtkIndirectGlossySubsplats.h"      // for members
 #include "Multiresolution/vtkIndirectSubsplatIllumination.h" // for members
 #include "Multiresolution/vtkIndirectSubsplatView.h"         // for members
 #include "Senders/vtkIndirectLightBlock.h"                   // for members
-#include "Sums/vtkIndirectGlossyGather.h"                    // for members
-#include "Sums/vtkIndirectLobeGather.h"                      // for members
 #include "Sums/vtkIndirectSum.h"
 #include "vtkMultiresolutionSplattingPass.h" // for settings
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/vtkIndirectGL.h"
 
-#include "Sums/vtkIndirectLobeGather.h"
+#include "Gather/vtkIndirectLobeGather.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "OpenGL/vtkIndirectUniforms.h"

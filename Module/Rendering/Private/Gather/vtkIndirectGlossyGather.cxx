@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpenGL/vtkIndirectGL.h"
 
-#include "Sums/vtkIndirectGlossyGather.h"
+#include "Gather/vtkIndirectGlossyGather.h"
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Maps/vtkIndirectLightMaps.h"
