@@ -56,8 +56,7 @@ class History(unittest.TestCase):
     def setUp(self) -> None:
         self.window = windows.render_window((32, 24), offscreen=True)
 
-    def draw(self, kind: str, before) -> dict[str, np.ndarray]:
-        """Light of a scene that has stood for some frames; before them it was in other states."""
+    def add_scene(self, kind: str) -> tuple[vtkRenderer, vtkActor]:
         ball = make_balls() if kind == "spheres" else make_actor(make_ball())
         renderer = make_room(ball, kind in ("spot", "penumbra"))
         settings = {"environment": (1, 1, 1)} if kind in ("sky", "spheres") else {}
@@ -73,6 +72,17 @@ class History(unittest.TestCase):
         if kind == "area":
             indirect.AddAreaLight(make_area(0))
         self.window.AddRenderer(renderer)
+        return renderer, ball
+
+    def take_light(self, renderer: vtkRenderer) -> dict[str, np.ndarray]:
+        names = ("direct", "irradiance")
+        light = {name: vtkindirect.copy_buffer(renderer, name).astype(float) for name in names}
+        self.window.RemoveRenderer(renderer)
+        return light
+
+    def draw(self, kind: str, before) -> dict[str, np.ndarray]:
+        """Light of a scene that has stood for some frames; before them it was in other states."""
+        renderer, ball = self.add_scene(kind)
         for change in before:
             self.window.Render()
             props = renderer.GetViewProps().GetNumberOfItems()
@@ -92,21 +102,26 @@ class History(unittest.TestCase):
             if frame > 5 and modelled == said:
                 break
             said = modelled
-        names = ("direct", "irradiance")
-        light = {name: vtkindirect.copy_buffer(renderer, name).astype(float) for name in names}
-        self.window.RemoveRenderer(renderer)
-        return light
+        return self.take_light(renderer)
+
+    def draw_path(self, kind: str, places) -> dict[str, np.ndarray]:
+        """Light of the first frame at the last of some places, with one frame at each before."""
+        renderer, ball = self.add_scene(kind)
+        for place in places:
+            ball.SetPosition(*place)
+            self.window.Render()
+        return self.take_light(renderer)
+
+    def compare(self, light, expected) -> None:
+        for name, fresh in expected.items():
+            # Half floats keep eleven bits of the last sums.
+            self.assertLess(np.abs(light[name] - fresh).max(), 1e-3 * fresh.max() + 1e-9, name)
 
     def check(self, kind: str, *befores) -> None:
         expected = self.draw(kind, ())
         for before in befores:
             with self.subTest(kind=kind, before=before.__name__):
-                light = self.draw(kind, (before,))
-                for name, fresh in expected.items():
-                    # Half floats keep eleven bits of the last sums.
-                    self.assertLess(
-                        np.abs(light[name] - fresh).max(), 1e-3 * fresh.max() + 1e-9, name
-                    )
+                self.compare(self.draw(kind, (before,)), expected)
 
     def test_spot(self) -> None:
         self.check("spot", away, out_of_the_room, another_far_away, small)
@@ -129,6 +144,13 @@ class History(unittest.TestCase):
 
     def test_spheres(self) -> None:
         self.check("spheres", turned)
+
+    def test_first_frame_after_motion(self) -> None:
+        """A ball that leaves the room step by step, as scripts do that write a film."""
+        path = [(0.2 * step, 0.1 * step, 0) for step in range(6)]
+        for kind in ("spot", "sky", "area", "full", "soft"):
+            with self.subTest(kind=kind):
+                self.compare(self.draw_path(kind, path), self.draw_path(kind, path[-1:]))
 
 
 if __name__ == "__main__":

@@ -402,6 +402,7 @@ VTK_INDIRECT_TEST(DepthMapsStayWhileTheBorderMoves)
   { return scene.ReadReport("tiles_drawn") - scene.ReadReport("sky_tiles_drawn"); };
   // The ball also reflects the sky's light, which is off here.
   sky->SetRadiance(0.0, 0.0, 0.0);
+  scene.Window->SetDesiredUpdateRate(15.0);
   auto place = [&](double z)
   {
     ball->SetPosition(0.7, 0.5, z);

@@ -39,4 +39,11 @@ VTK_INDIRECT_TEST(CasterBoundsOfNothing)
   casterBounds.Give(one, true);
   Check("and when it was away",
     one[0].HasWideBounds && std::equal(bounds, bounds + 6, one[0].WideBounds));
+
+  const double moved[6] = { 0.5, 1.5, 0.0, 2.0, 0.0, 2.0 };
+  std::copy(moved, moved + 6, one[0].Bounds);
+  casterBounds.Give(one, true);
+  CheckAtLeast("wide bounds of a prop that moves", one[0].WideBounds[1], 1.6, "an eighth of 2.9");
+  casterBounds.Give(one, false);
+  Check("a still frame has exact ones", std::equal(moved, moved + 6, one[0].WideBounds));
 }

@@ -19,18 +19,12 @@ bool Contains(const std::array<double, 6>& box, const double bounds[6])
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectCasterBounds::Give(std::vector<vtkIndirectCaster>& casters, bool mayRest)
+void vtkIndirectCasterBounds::Give(std::vector<vtkIndirectCaster>& casters, bool interactive)
 {
-  std::vector<Box> now(casters.size());
-  for (size_t i = 0; i < casters.size(); ++i)
-  {
-    std::copy(casters[i].Bounds, casters[i].Bounds + 6, now[i].begin());
-  }
-  if (mayRest && now == this->Before)
+  if (!interactive)
   {
     this->Boxes.clear();
   }
-  this->Before = std::move(now);
   vtkBoundingBox exact;
   vtkBoundingBox before;
   for (const auto& entry : this->Boxes)

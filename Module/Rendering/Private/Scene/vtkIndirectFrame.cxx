@@ -198,7 +198,7 @@ void vtkIndirectFrame::CollectProps(vtkIndirectCasterBounds* casterBounds, bool 
   }
   if (casterBounds)
   {
-    casterBounds->Give(this->Casters, !interactive && !this->IsFurtherPart());
+    casterBounds->Give(this->Casters, interactive);
   }
   for (const vtkIndirectCaster& caster : this->Casters)
   {

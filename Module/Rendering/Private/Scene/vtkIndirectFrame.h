@@ -163,8 +163,7 @@ struct vtkIndirectFrame
 
   /**
    * Reads the scene. The eye is set up only if something opaque is in a viewport of any size. If
-   * casterBounds is given, casters get them; they may return to the casters' own in a frame that is
-   * not interactive.
+   * casterBounds is given, casters get wide bounds, their own in a frame that is not interactive.
    */
   void Build(const vtkRenderState* state, vtkIndirectCasterBounds* casterBounds = nullptr,
     bool interactive = false);
