@@ -235,7 +235,6 @@ bool vtkIndirectGlossySubsplats::Evaluate(
   definitions += pixels ? "#define VTKI_PIXELS\n" : "";
   definitions += whole ? "" : "#define VTKI_UNDER_SPLIT\n";
   definitions += work.Set.DepthRange ? "#define VTKI_DEPTH_RANGE\n" : "";
-  definitions += count > work.Lights.GetCapacity(window) ? "#define VTKI_MORE_LIGHTS\n" : "";
   vtkIndirectComputeProgram& kernel = this->Sums[2 * pixels + whole];
   kernel.SetDefinitions(definitions);
   vtkIndirectProgram program = kernel.Use(window);

@@ -37,7 +37,9 @@ int vtkIndirectLightBlock::GetCapacity(vtkOpenGLRenderWindow* window)
 //------------------------------------------------------------------------------
 std::string vtkIndirectLightBlock::GetDefinitions() const
 {
-  return "#define VTKI_LIGHTS " + std::to_string(this->Capacity) + "\n" +
+  return (this->Count > this->Capacity
+             ? "#define VTKI_MORE_LIGHTS\n"
+             : "#define VTKI_LIGHTS " + std::to_string(this->Capacity) + "\n") +
     this->Lights->GetDefinitions();
 }
 
@@ -56,13 +58,17 @@ void vtkIndirectLightBlock::Update(
   this->Lights = &lights;
   this->First = first;
   this->Count = count;
+  if (count > capacity)
+  {
+    return;
+  }
   if (this->Block.GetBytes() == 0)
   {
     this->Block.Update(window, nullptr, static_cast<size_t>(capacity) * Channels * BytesPerTexel);
   }
   constexpr int width = vtkIndirectSampler::RowLength;
   const vtkIndirectTarget& table = lights.GetTable();
-  const int rows = (std::min(count, capacity) + width - 1) / width;
+  const int rows = (count + width - 1) / width;
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   table.GetFramebuffer()->Bind();
@@ -84,5 +90,4 @@ void vtkIndirectLightBlock::Activate(const vtkIndirectProgram& program) const
   this->Lights->Activate(program);
   program->SetUniformi("vtkiFirstLight", this->First);
   program->SetUniformi("vtkiLightCount", this->Count);
-  program->SetUniformi("vtkiBlockCount", std::min(this->Count, this->Capacity));
 }

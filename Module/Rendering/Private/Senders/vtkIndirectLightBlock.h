@@ -25,14 +25,14 @@ public:
 
   /**
    * Takes the lights of a frame, or `count` of them from `first` on (a multiple of
-   * vtkIndirectSampler::RowLength). Copies as many lights as the block holds into the buffer, on
-   * the GPU.
+   * vtkIndirectSampler::RowLength). Copies them into the buffer, on the GPU, if the block can hold
+   * them all; shaders read more lights from the table.
    */
   void Update(vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights);
   void Update(
     vtkOpenGLRenderWindow* window, const vtkIndirectVirtualLights& lights, int first, int count);
   int GetNumberOfLights() const { return this->Count; }
-  /** Binds the block, and the table with the lights beyond its capacity. */
+  /** Binds the block and the table. */
   void Activate(const vtkIndirectProgram& program) const;
 
 protected:

@@ -19,11 +19,6 @@ uniform float vtkiStorageScale;
 uniform int vtkiList;
 uniform int vtkiListFirst;
 layout(VTKI_FORMAT) uniform image2D vtkiGlossyImage;
-#ifdef VTKI_MORE_LIGHTS
-uniform sampler2D vtkiLightPosition; // lights beyond the block's
-uniform sampler2D vtkiLightNormal;
-uniform sampler2D vtkiLightDensity;
-#endif
 #ifndef VTKI_PIXELS
 uniform int vtkiSplitList; // list of the children's level
 uniform int vtkiSplitFirst;
@@ -190,18 +185,10 @@ void main()
       set &= set - 1u;
       int light = 32 * word + bit;
       vec4 sender;
-      vec3 senderNormal;
+      vec4 normalAndDistance;
       vec3 density;
-#ifdef VTKI_MORE_LIGHTS
-      ivec2 at = vtkiTableTexel(light);
-      sender = texelFetch(vtkiLightPosition, at, 0);
-      senderNormal = texelFetch(vtkiLightNormal, at, 0).xyz;
-      density = texelFetch(vtkiLightDensity, at, 0).rgb;
-#else
-      sender = vtkiBlockPosition[light];
-      senderNormal = vtkiBlockNormal[light].xyz;
-      density = vtkiBlockDensity[light].rgb;
-#endif
+      vtkiFetchLight(light, sender, normalAndDistance, density);
+      vec3 senderNormal = normalAndDistance.xyz;
       float open = 0.0f;
       bool someSee = false;
       bool someDoNot = false;

@@ -108,19 +108,29 @@ void vtkiFindShares(int light, vec4 sender, vec4 senderNormal, vec3 position[4 *
 }
 
 #ifdef VTKI_DIVIDED
-vtkiSight vtkiSights[4 * VTKI_BLOCKS]; // of the receivers
+vtkiSight vtkiSights[4 * VTKI_BLOCKS];  // of the receivers
+uvec4 vtkiSeenLights[4 * VTKI_BLOCKS]; // bits of the lights that each receiver sees
 
 void vtkiStartSights()
 {
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
     vtkiSights[i] = vtkiSight(0.0f, 0.0f);
+    vtkiSeenLights[i] = uvec4(0u);
+  }
+}
+
+void vtkiForgetLights()
+{
+  for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
+  {
+    vtkiSeenLights[i] = uvec4(0u);
   }
 }
 #endif
 
 // Adds the light of a cluster as a whole to all blocks. Returns true if one of them is near to it.
-bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
+bool vtkiAddToBlocks(int light, uvec4 bit, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
   vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
   inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
 {
@@ -132,6 +142,7 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
 #ifdef VTKI_DIVIDED
     vec3 toSender = sender.xyz - position[i];
     float division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
+    vtkiSeenLights[i] |= share[i] > 0.0f ? bit : uvec4(0u);
     isNear = vtkiKeepSight(vtkiSights[i], facet[i], normal[i], toSender, senderNormal, division, share[i]) || isNear;
     share[i] -= share[i] * division;
 #endif
@@ -143,21 +154,20 @@ bool vtkiAddToBlocks(int light, vec4 sender, vec4 senderNormal, vec3 density, ve
 
 #ifdef VTKI_DIVIDED
 // Adds the light of a cluster's branches to all blocks.
-void vtkiAddBranchesToBlocks(int light, vec3 position[4 * VTKI_BLOCKS],
-  vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
-  inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
+void vtkiAddBranchesToBlocks(int light, uvec4 bit, vec3 position[4 * VTKI_BLOCKS], vec3 normal[4 * VTKI_BLOCKS],
+  vec3 facet[4 * VTKI_BLOCKS], inout vec3 irradiance[4 * VTKI_BLOCKS], inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
 {
   vec4 sender;
   vec4 senderNormal;
   vec3 density;
   vtkiFetchLight(light, sender, senderNormal, density);
   float share[4 * VTKI_BLOCKS];
-  vtkiFindShares(vtkiFirstLight + light, sender, senderNormal, position, normal, facet VTKI_WITH_LOOKS, share);
   float below[4 * VTKI_BLOCKS];
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
     vec3 toSender = sender.xyz - position[i];
-    share[i] = vtkiShareOfBranches(vtkiSights[i], facet[i], toSender, share[i]) *
+    float seen = any(notEqual(vtkiSeenLights[i] & bit, uvec4(0u))) ? 1.0f : 0.0f;
+    share[i] = vtkiShareOfBranches(vtkiSights[i], facet[i], toSender, seen) *
       vtkiDivision(dot(toSender, toSender), senderNormal.w);
     below[i] = 0.0f;
   }
@@ -230,34 +240,30 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
   for (int first = 0; first < vtkiLightCount; first += atOnce)
   {
     int end = min(first + atOnce, vtkiLightCount);
-    int endOfBlock = min(end, vtkiBlockCount);
     uvec4 near = uvec4(0u);
-    for (int light = first; light < endOfBlock; ++light)
-    {
-      bool isNear = vtkiAddToBlocks(vtkiFirstLight + light, vtkiBlockPosition[light], vtkiBlockNormal[light],
-        vtkiBlockDensity[light].rgb, position, normal, facet VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
-#ifdef VTKI_DIVIDED
-      vtkiKeepNear(near, light - first, isNear);
-#endif
-    }
-    for (int light = max(first, vtkiBlockCount); light < end; ++light)
+    for (int light = first; light < end; ++light)
     {
       vec4 sender;
       vec4 senderNormal;
       vec3 density;
       vtkiFetchLight(light, sender, senderNormal, density);
-      bool isNear = vtkiAddToBlocks(vtkiFirstLight + light, sender, senderNormal, density, position,
-        normal, facet VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
 #ifdef VTKI_DIVIDED
-      vtkiKeepNear(near, light - first, isNear);
+      uvec4 bit = vtkiLightBit(light - first);
+#else
+      uvec4 bit = uvec4(0u);
 #endif
+      bool isNear = vtkiAddToBlocks(vtkiFirstLight + light, bit, sender, senderNormal, density, position,
+        normal, facet VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
+      near |= isNear ? bit : uvec4(0u);
     }
 #ifdef VTKI_DIVIDED
     while (vtkiHasNear(near))
     {
+      int light = vtkiTakeNear(near);
       vtkiAddBranchesToBlocks(
-        first + vtkiTakeNear(near), position, normal, facet VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
+        first + light, vtkiLightBit(light), position, normal, facet, irradiance, vectorIrradiance);
     }
+    vtkiForgetLights();
 #endif
   }
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)

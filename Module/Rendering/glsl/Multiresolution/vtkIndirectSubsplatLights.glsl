@@ -14,20 +14,7 @@ vec3 vtkiOpenPlace(vec3 position, vec3 normal, vec3 facet, ivec2 pixel)
 }
 #endif
 
-uniform sampler2D vtkiLightPosition; // lights beyond the block's
-uniform sampler2D vtkiLightNormal;
-uniform sampler2D vtkiLightDensity;
-uniform int vtkiFirstLight; // the first light's number in the table
 uniform int vtkiLightCount;
-
-// Fetches a light from the textures: position and area, normal and child distance, density times area.
-void vtkiFetchLight(int i, out vec4 sender, out vec4 senderNormal, out vec3 density)
-{
-  ivec2 at = vtkiTableTexel(vtkiFirstLight + i);
-  sender = texelFetch(vtkiLightPosition, at, 0);
-  senderNormal = texelFetch(vtkiLightNormal, at, 0);
-  density = texelFetch(vtkiLightDensity, at, 0).rgb;
-}
 
 // share: of the light as a whole, 0 if it is occluded.
 void vtkiAddSeenLight(vec3 position, vec3 normal, float share, float softening, vec4 sender, vec4 senderNormal,
@@ -138,16 +125,7 @@ void vtkiEvaluateSubsplat(
   {
     int end = min(first + atOnce, count);
     uvec4 near = uvec4(0u);
-    int endOfBlock = min(end, vtkiBlockCount);
-    for (int i = first; i < endOfBlock; ++i)
-    {
-      bool isNear = vtkiAddLight(position, normal, open, vtkiFirstLight + i, vtkiBlockPosition[i],
-        vtkiBlockNormal[i], vtkiBlockDensity[i].rgb, irradiance, vectorIrradiance);
-#ifdef VTKI_DIVIDED
-      vtkiKeepNear(near, i - first, isNear);
-#endif
-    }
-    for (int i = max(first, vtkiBlockCount); i < end; ++i)
+    for (int i = first; i < end; ++i)
     {
       vec4 sender;
       vec4 senderNormal;

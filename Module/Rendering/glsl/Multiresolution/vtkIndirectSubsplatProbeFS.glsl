@@ -51,14 +51,8 @@ void main()
     vtkiTexelPixel(ivec2(gl_FragCoord.xy)));
   vtkiProbeSums sums = vtkiProbeSums(
     0.0f, 0.0f, 1.0f, 0.0f, vec4(position, 1.0f), vec4(0.0f, 0.0f, 1.0f, 0.0f));
-  int count = lit ? vtkiBlockCount : 0;
+  int count = lit ? vtkiLightCount : 0;
   for (int i = 0; i < count; ++i)
-  {
-    vtkiAddToProbe(sums, position, normal, open, vtkiFirstLight + i, vtkiBlockPosition[i], vtkiBlockNormal[i],
-      vtkiBlockDensity[i].rgb);
-  }
-  count = lit ? vtkiLightCount : 0;
-  for (int i = vtkiBlockCount; i < count; ++i)
   {
     vec4 sender;
     vec4 senderNormal;

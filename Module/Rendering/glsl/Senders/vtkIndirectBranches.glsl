@@ -90,11 +90,17 @@ bool vtkiKeepSight(inout vtkiSight sight, vec3 facet, vec3 normal, vec3 toSender
     vtkiMayLight(normal, toSender, senderNormal.xyz, senderNormal.w);
 }
 
+// A light's bit in a set.
+uvec4 vtkiLightBit(int light)
+{
+  uint bit = 1u << uint(light & 31);
+  int word = light >> 5;
+  return uvec4(word == 0 ? bit : 0u, word == 1 ? bit : 0u, word == 2 ? bit : 0u, word == 3 ? bit : 0u);
+}
+
 void vtkiKeepNear(inout uvec4 near, int light, bool isNear)
 {
-  uint bit = isNear ? 1u << uint(light & 31) : 0u;
-  int word = light >> 5;
-  near |= uvec4(word == 0 ? bit : 0u, word == 1 ? bit : 0u, word == 2 ? bit : 0u, word == 3 ? bit : 0u);
+  near |= isNear ? vtkiLightBit(light) : uvec4(0u);
 }
 
 bool vtkiHasNear(uvec4 near)
