@@ -19,8 +19,8 @@ constexpr double MostAngularWidth = 0.3;
 // The number of senders that are asked.
 constexpr size_t NumberOfAsked = 256;
 
-// The triangles that the depth maps of all lights draw: they take 1 to 2 s of a processor's core, or
-// twice as long where the eye sees a part of the scene.
+// The triangles that the depth maps of all lights draw: they take 1 to 2 s of a processor's core,
+// or twice as long where the eye sees a part of the scene.
 constexpr double MostDrawn = 33554432.0;
 constexpr double MostDrawnOfPart = 2.0 * MostDrawn;
 }
