@@ -7,7 +7,8 @@ import unittest
 from typing import Any
 
 import numpy as np
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkLight, vtkLightKit, vtkRenderer
 
 import support
@@ -423,3 +424,55 @@ class Frames(support.DirectoryTest):
                 self.assertEqual(result.returncode, 2)
                 self.assertIn(expected, result.stderr)
 
+
+
+@unittest.skipIf(WHY_NOT, WHY_NOT)
+class CloseUps(unittest.TestCase):
+    """A camera among small things, where parts of the sky are wide in pixels."""
+
+    def setUp(self) -> None:
+        self.renderer = vtkRenderer()
+        balls = vtkAppendPolyData()
+        for center in np.random.default_rng(0).normal(size=(400, 3)):
+            ball = vtkSphereSource()
+            ball.SetRadius(0.12)
+            ball.SetCenter(center)
+            ball.SetThetaResolution(24)
+            ball.SetPhiResolution(24)
+            balls.AddInputConnection(ball.GetOutputPort())
+        self.renderer.AddActor(make_actor(balls))
+        floor = vtkPlaneSource()
+        floor.SetOrigin(-4, -4, -2.5)
+        floor.SetPoint1(4, -4, -2.5)
+        floor.SetPoint2(-4, 4, -2.5)
+        self.renderer.AddActor(make_actor(floor, (1, 1, 1)))
+        self.renderer.GetActiveCamera().SetPosition(0, 0, 1)
+        self.window = windows.render_window((384, 384), offscreen=True)
+        self.window.AddRenderer(self.renderer)
+        self.renderer.ResetCameraClippingRange()
+
+    def find_roughness(self) -> float:
+        """Return the bend of the floor's light over eight pixels, over the mean light."""
+        light = vtkindirect.copy_buffer(self.renderer, "sky")[..., 0].astype(float)
+        on_floor = vtkindirect.copy_buffer(self.renderer, "albedo")[..., 2] > 0.5
+        self.assertGreater(on_floor.mean(), 0.1)
+        bends = []
+        for axis in (0, 1):
+            before, after = (np.roll(light, k, axis) for k in (-4, 4))
+            inside = on_floor & np.roll(on_floor, -4, axis) & np.roll(on_floor, 4, axis)
+            inside[:4] = inside[-4:] = inside[:, :4] = inside[:, -4:] = False
+            bends.append((before + after - 2 * light)[inside])
+        return float(np.sqrt(np.mean(np.concatenate(bends) ** 2)) / light[on_floor].mean())
+
+    def test_no_weave(self) -> None:
+        """An edge of a shadow does not come back beside each neighbour of the smoothing."""
+        vtkindirect.enable(self.renderer, lighting="scene", environment=(1, 1, 1))
+        self.window.Render()
+        still = self.find_roughness()
+        self.window.SetDesiredUpdateRate(15)
+        self.renderer.GetActiveCamera().Azimuth(0.1)
+        self.window.Render()
+        moving = self.find_roughness()
+        # 0.009 and 0.019; without the smoothing between the neighbours 0.020 and 0.052.
+        self.assertLess(still, 0.013)
+        self.assertLess(moving, 0.03)

@@ -37,10 +37,6 @@ const vtkIndirectChannels StillChannels = {
   { "sky.sums3", "vtkiSkySums3", SumMeaning, GL_RGBA32F, "-", "their unit" },
   { "sky.near", "vtkiSkyNear", NearMeaning, GL_RGBA32F, "-", "their unit" },
 };
-const vtkIndirectChannels ShareChannels = {
-  { "sky.shares", "vtkiSkyShares", "visible shares of the sky; how far these are smoothed",
-    GL_RGBA32F, "-", "1; scene units" },
-};
 const vtkIndirectChannels OpenColorChannels = {
   { "sky.openColors", "vtkiOpenColors", "colours of the directions by normals if nothing hid them",
     GL_RGBA32F, "world", "their unit" },
@@ -61,13 +57,6 @@ constexpr int SumBlock = 128;
 constexpr int OwnBlock = 64;
 constexpr int StrongTexels = 1024;
 
-// Radius of the smoothing over that of a direction's part of the sky.
-constexpr double SmoothedParts = 1.5;
-// Largest such radius over the picture's height.
-constexpr float MostSmoothed = 1.0f / 8.0f;
-// Neighbours to either side, along rows and along columns.
-constexpr int StillNeighbors = 4;
-constexpr int MovingNeighbors = 2;
 }
 
 //------------------------------------------------------------------------------
@@ -77,7 +66,6 @@ vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndire
   , Irradiance(this, SkyChannels, false)
   , Sums{ { this, StillChannels, false }, { this, SkySumChannels, false } }
   , Rows(this, SkySumChannels, false)
-  , Shares{ { this, ShareChannels, false }, { this, ShareChannels, false } }
   , OpenSky(this, OpenSkyChannels, false)
   , Open(this, SkyChannels, false)
   , OpenColors(this, OpenColorChannels, false)
@@ -315,7 +303,7 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   const auto resize = [&](vtkIndirectTarget& image)
   { return image.Resize(frame.Window, frame.Size[0], frame.Size[1], &input.Geometry.GetTarget()); };
   if (!resize(this->Irradiance) || !this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) ||
-    (step > 1 && !resize(this->Rows)) || !resize(this->Shares[0]) || !resize(this->Shares[1]) ||
+    (step > 1 && !resize(this->Rows)) || !this->Smoothing.Resize(this->MakeSmoothing(input)) ||
     !this->UpdateOpenSky(input))
   {
     return false;
@@ -446,7 +434,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
   kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
-  return kernel.RunOnSurfaces(input.Frame.Window, this->Shares[0],
+  return kernel.RunOnSurfaces(input.Frame.Window, this->Smoothing.GetShares(),
     [&](const vtkIndirectProgram& program)
     {
       this->Activate(input, group, program);
@@ -457,8 +445,8 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
       this->OpenSky.Activate(0, program);
       vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
       vtkIndirectSetUniform(program, "vtkiSummedFlux", this->SummedFlux);
-      program->SetUniformf(
-        "vtkiSkyReach", static_cast<float>(SmoothedParts * this->FindPartAngle(input)));
+      program->SetUniformf("vtkiSkyReach",
+        static_cast<float>(vtkIndirectSkySmoothing::GetParts() * this->FindPartAngle(input)));
       if (moving)
       {
         const Terms terms = this->MakeTerms(this->Summed, false);
@@ -479,38 +467,22 @@ double vtkIndirectSkyGather::FindPartAngle(const Input& input) const
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectSkySmoothing::Input vtkIndirectSkyGather::MakeSmoothing(const Input& input) const
+{
+  return { input.Frame, input.Geometry, this->FindPartAngle(input), !this->Visible,
+    input.Plan.SkyBlock > 1 };
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::Smooth(const Input& input)
 {
-  const double angle = this->FindPartAngle(input);
-  const int neighbors = !this->Visible ? 0
-    : input.Plan.SkyBlock > 1          ? MovingNeighbors
-                                       : StillNeighbors;
-  for (int k = 0; k < 2; ++k)
-  {
-    vtkIndirectFullScreenProgram& kernel = this->SmoothKernels[k];
-    kernel.SetDefinitions(k == 0 ? "#define VTKI_SKY_ROWS\n" : "");
-    const bool done = kernel.RunOnSurfaces(input.Frame.Window,
-      k == 0 ? this->Shares[1] : this->Irradiance,
-      [&](const vtkIndirectProgram& program)
-      {
-        this->Activate(input, nullptr, program);
-        this->Shares[k].Activate(0, program);
-        program->SetUniformi("vtkiSkyNeighbors", neighbors);
-        program->SetUniformf("vtkiSkyTurn", static_cast<float>(1.0 / (angle * angle)));
-        program->SetUniformf("vtkiSkyMost", MostSmoothed * static_cast<float>(input.Frame.Size[1]));
-        if (k == 1)
-        {
-          this->OpenSky.Activate(0, program);
-          vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
-          program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
-        }
-      });
-    if (!done)
+  return this->Smoothing.Run(this->MakeSmoothing(input), this->Irradiance,
+    [this](const vtkIndirectProgram& program)
     {
-      return false;
-    }
-  }
-  return true;
+      this->OpenSky.Activate(0, program);
+      vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
+      program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
+    });
 }
 
 //------------------------------------------------------------------------------

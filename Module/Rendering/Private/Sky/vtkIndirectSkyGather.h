@@ -29,6 +29,7 @@
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
 #include "OpenGL/vtkIndirectUniformBlock.h"      // for a member
 #include "Sky/vtkIndirectSkyDirections.h"        // for a member
+#include "Sky/vtkIndirectSkySmoothing.h"         // for a member
 #include "Sums/vtkIndirectFrameLight.h"          // for the base class
 
 #include <glm/glm.hpp> // for blocks
@@ -95,15 +96,16 @@ private:
   bool FilterRows(const Input& input);
   bool FilterColumns(const Input& input);
   double FindPartAngle(const Input& input) const;
+  vtkIndirectSkySmoothing::Input MakeSmoothing(const Input& input) const;
   bool Smooth(const Input& input);
   bool SumStrong(const Input& input);
   bool SumOpen(const Input& input);
 
   vtkIndirectDepthMaps& DepthMaps;
   vtkIndirectTarget Irradiance;
-  vtkIndirectTarget Sums[2];   // sums of pixels' own directions; of still and moving frames
-  vtkIndirectTarget Rows;      // sums over neighbours in the row
-  vtkIndirectTarget Shares[2]; // visible shares of the sky; their means along rows
+  vtkIndirectTarget Sums[2]; // sums of pixels' own directions; of still and moving frames
+  vtkIndirectTarget Rows;    // sums over neighbours in the row
+  vtkIndirectSkySmoothing Smoothing{ this };
   vtkIndirectTarget OpenSky;
   vtkIndirectTarget Open;       // Irradiance if nothing hid the sky, for surfaces that catch light
   vtkIndirectTarget OpenColors; // colours of the directions in OpenSky
@@ -124,9 +126,6 @@ private:
   vtkIndirectFullScreenProgram ColumnKernels[2]{ { this, "vtkIndirectSkyFilterFS.glsl" },
     { this, "vtkIndirectSkyFilterFS.glsl" } };
   vtkIndirectFullScreenProgram RowKernel{ this, "vtkIndirectSkyFilterFS.glsl" };
-  // along rows, along columns
-  vtkIndirectFullScreenProgram SmoothKernels[2]{ { this, "vtkIndirectSkySmoothFS.glsl" },
-    { this, "vtkIndirectSkySmoothFS.glsl" } };
   vtkIndirectFullScreenProgram StrongKernel{ this, "vtkIndirectSkyFS.glsl" };
 
   vtkIndirectFullScreenProgram OpenKernel{ this, "vtkIndirectSkyOpenFS.glsl" };

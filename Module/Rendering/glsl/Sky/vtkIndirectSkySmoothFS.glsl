@@ -1,10 +1,11 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Smooths the visible share of the sky along rows (VTKI_SKY_ROWS), then along columns, where the
-// share becomes irradiance. A direction represents a part of the sky, and the sum has the sharp
+// Smooths the visible share of the sky along rows (VTKI_SKY_ROWS) or along columns; the last smoothing
+// makes the share irradiance (VTKI_SKY_LAST). A direction represents a part of the sky, and the sum has the sharp
 // shadow of its middle alone; the shadows of the part lie beside each other, as far as the part is
 // wide at the distance of what hides the sky. A pixel takes the mean of its neighbours within this
-// radius, the smaller one of both: light does not spread into contacts.
+// radius, the smaller one of both: light does not spread into contacts. Few neighbours leave copies of
+// a shadow's edge as far apart as they are, a weave: a second smoothing fills these gaps.
 #define VTKI_STEP 1
 #include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectLibSky.glsl"
@@ -12,11 +13,14 @@
 uniform sampler2D vtkiSkyShares; // visible shares of the colours, radius
 uniform float vtkiSkyTurn; // one over the square of the angle between normals that ends the mean
 uniform float vtkiSkyMost; // largest radius in pixels
+uniform float vtkiSkyScale; // radius of the smoothing over the shares' radius
 uniform int vtkiSkyNeighbors; // to either side
 #ifdef VTKI_SKY_ROWS
 const int VTKI_AXIS = 0;
 #else
 const int VTKI_AXIS = 1;
+#endif
+#ifdef VTKI_SKY_LAST
 uniform sampler2D vtkiOpenSky; // see vtkIndirectSkyFilterFS.glsl
 uniform vec3 vtkiOpenFlux;
 uniform float vtkiSkyUnit;
@@ -54,7 +58,7 @@ vtkiSkyNeighbor vtkiFetchNeighbor(
   float tolerance = VTKI_INTERPOLATION_DISTANCE * footprint + VTKI_SKY_SLOPE * sqrt(distance2);
   bool same = inside && vtkiSurfaceIsLit(surface) &&
     abs(dot(receiver.facetVC, offset)) <= tolerance;
-  float radius = max(min(width, share.a), 1.0e-20f);
+  float radius = max(min(width, vtkiSkyScale * share.a), 1.0e-20f);
   vec3 turn = receiver.normalVC - vtkiSurfaceNormal(surface);
   float part = sqrt(distance2 / (radius * radius) + vtkiSkyTurn * dot(turn, turn));
   return vtkiSkyNeighbor(share.rgb, same ? max(1.0f - part, 0.0f) : 0.0f);
@@ -69,7 +73,7 @@ void main()
   vec4 own = textureLod(vtkiSkyShares, at, 0.0f);
   vec3 ray = vtkiRayDirection * vec3(2.0f * at - 1.0f, 1.0f);
   float footprint = vtkiSampleDistance(receiver.depth);
-  float width = min(own.a, vtkiSkyMost * footprint);
+  float width = vtkiSkyScale * min(own.a, vtkiSkyMost * footprint);
   float stride = max(width / (footprint * float(vtkiSkyNeighbors + 1)), 1.0f);
   vec3 sum = own.rgb;
   float weights = 1.0f;
@@ -87,11 +91,11 @@ void main()
     weights += a.weight + b.weight;
   }
   sum /= weights;
-#ifdef VTKI_SKY_ROWS
-  gl_FragData[0] = lit ? vec4(sum, own.a) : vec4(0.0f);
-#else
+#ifdef VTKI_SKY_LAST
   float open = textureLod(vtkiOpenSky, vtkiOpenSkyPlace(receiver.normal), 0.0f).r +
     dot(vtkiOpenFlux, receiver.normal);
   gl_FragData[0] = vec4(lit ? vtkiSkyUnit * max(open, 0.0f) * sum : vec3(0.0f), 1.0f);
+#else
+  gl_FragData[0] = lit ? vec4(sum, own.a) : vec4(0.0f);
 #endif
 }
