@@ -227,8 +227,8 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
       estimator.Name + " reads the lights' maps, and nothing beside them; the result is too dark");
   }
   // With fewer than 64 directions edges of their shadows show, which a tolerance may allow.
-  // On a plane that catches light the shadows of 64 single directions show, of 256 they do not.
-  const int fewest = this->ErrorToleranceIsSet ? 16 : !frame.Catchers.empty() ? 256 : 64;
+  // On a plane that catches light the shadows of single directions show: twice the usual number.
+  const int fewest = this->ErrorToleranceIsSet ? 16 : !frame.Catchers.empty() ? 512 : 64;
   this->NumberOfStillSkyDirections = std::max(FindSkyDirections(this->SkyErrorTolerance), fewest);
   this->NumberOfSkyDirections = this->NumberOfStillSkyDirections;
   if (this->Interactive)
