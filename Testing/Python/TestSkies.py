@@ -425,7 +425,6 @@ class Frames(support.DirectoryTest):
                 self.assertIn(expected, result.stderr)
 
 
-
 @unittest.skipIf(WHY_NOT, WHY_NOT)
 class CloseUps(unittest.TestCase):
     """A camera among small things, where parts of the sky are wide in pixels."""

@@ -11,8 +11,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
-#include <algorithm>
-
 namespace
 {
 constexpr int Channels = 3;

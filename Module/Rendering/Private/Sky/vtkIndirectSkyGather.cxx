@@ -56,7 +56,6 @@ constexpr int SumBlock = 128;
 // further directions are skipped.
 constexpr int OwnBlock = 64;
 constexpr int StrongTexels = 1024;
-
 }
 
 //------------------------------------------------------------------------------
@@ -303,7 +302,7 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   const auto resize = [&](vtkIndirectTarget& image)
   { return image.Resize(frame.Window, frame.Size[0], frame.Size[1], &input.Geometry.GetTarget()); };
   if (!resize(this->Irradiance) || !this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) ||
-    (step > 1 && !resize(this->Rows)) || !this->Smoothing.Resize(this->MakeSmoothing(input)) ||
+    (step > 1 && !resize(this->Rows)) || !this->Smoothing.Resize(frame, input.Geometry) ||
     !this->UpdateOpenSky(input))
   {
     return false;
@@ -446,7 +445,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
       vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
       vtkIndirectSetUniform(program, "vtkiSummedFlux", this->SummedFlux);
       program->SetUniformf("vtkiSkyReach",
-        static_cast<float>(vtkIndirectSkySmoothing::GetParts() * this->FindPartAngle(input)));
+        static_cast<float>(vtkIndirectSkySmoothing::Parts * this->FindPartAngle(input)));
       if (moving)
       {
         const Terms terms = this->MakeTerms(this->Summed, false);
@@ -467,16 +466,11 @@ double vtkIndirectSkyGather::FindPartAngle(const Input& input) const
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSkySmoothing::Input vtkIndirectSkyGather::MakeSmoothing(const Input& input) const
-{
-  return { input.Frame, input.Geometry, this->FindPartAngle(input), !this->Visible,
-    input.Plan.SkyBlock > 1 };
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::Smooth(const Input& input)
 {
-  return this->Smoothing.Run(this->MakeSmoothing(input), this->Irradiance,
+  return this->Smoothing.Run({ input.Frame, input.Geometry, this->FindPartAngle(input),
+                               this->Visible, input.Plan.SkyBlock > 1 },
+    this->Irradiance,
     [this](const vtkIndirectProgram& program)
     {
       this->OpenSky.Activate(0, program);

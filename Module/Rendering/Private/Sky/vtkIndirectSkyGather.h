@@ -96,7 +96,6 @@ private:
   bool FilterRows(const Input& input);
   bool FilterColumns(const Input& input);
   double FindPartAngle(const Input& input) const;
-  vtkIndirectSkySmoothing::Input MakeSmoothing(const Input& input) const;
   bool Smooth(const Input& input);
   bool SumStrong(const Input& input);
   bool SumOpen(const Input& input);

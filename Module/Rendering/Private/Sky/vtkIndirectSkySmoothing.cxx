@@ -13,7 +13,6 @@ const vtkIndirectChannels ShareChannels = {
     GL_RGBA32F, "-", "1; scene units" },
 };
 
-constexpr double SmoothedParts = 1.5;
 // Largest radius of the smoothing over the picture's height.
 constexpr float MostSmoothed = 1.0f / 8.0f;
 // Neighbours to either side, along rows and along columns, and those that fill the gaps between.
@@ -33,20 +32,13 @@ vtkIndirectSkySmoothing::vtkIndirectSkySmoothing(vtkIndirectResource* owner)
 }
 
 //------------------------------------------------------------------------------
-double vtkIndirectSkySmoothing::GetParts()
-{
-  return SmoothedParts;
-}
-
-//------------------------------------------------------------------------------
-bool vtkIndirectSkySmoothing::Resize(const Input& input)
+bool vtkIndirectSkySmoothing::Resize(
+  const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
 {
   bool done = true;
   for (vtkIndirectTarget& shares : this->Shares)
   {
-    done = done &&
-      shares.Resize(
-        input.Frame.Window, input.Frame.Size[0], input.Frame.Size[1], &input.Geometry.GetTarget());
+    done = done && shares.Resize(frame.Window, frame.Size[0], frame.Size[1], &geometry.GetTarget());
   }
   return done;
 }
@@ -58,7 +50,7 @@ bool vtkIndirectSkySmoothing::Run(const Input& input, vtkIndirectTarget& irradia
   const int neighbors = input.Moving ? MovingNeighbors : StillNeighbors;
   const float angle = static_cast<float>(input.PartAngle);
   const vtkIndirectTarget* from = &this->Shares[0];
-  for (int k = input.HidesNothing ? Steps - 1 : 0; k < Steps; ++k)
+  for (int k = input.Visibility ? 0 : Steps - 1; k < Steps; ++k)
   {
     const bool last = k == Steps - 1;
     const bool between = k > 1;
@@ -72,9 +64,9 @@ bool vtkIndirectSkySmoothing::Run(const Input& input, vtkIndirectTarget& irradia
         input.Geometry.ActivateReceivers(program, input.Frame);
         from->Activate(0, program);
         program->SetUniformi("vtkiSkyNeighbors",
-          input.HidesNothing ? 0
-            : between        ? NeighborsBetween
-                             : neighbors);
+          !input.Visibility ? 0
+            : between       ? NeighborsBetween
+                            : neighbors);
         program->SetUniformf(
           "vtkiSkyScale", between ? 1.0f / static_cast<float>(neighbors + 1) : 1.0f);
         program->SetUniformf("vtkiSkyTurn", 1.0f / (angle * angle));

@@ -20,15 +20,15 @@ public:
   {
     const vtkIndirectFrame& Frame;
     const vtkIndirectGeometryBuffer& Geometry;
-    double PartAngle;  // between the middle and the rim of a direction's part of the sky
-    bool HidesNothing; // nothing is smoothed
-    bool Moving;       // fewer neighbours are asked
+    double PartAngle; // between the middle and the rim of a direction's part of the sky
+    bool Visibility;  // false: nothing hides the sky, and nothing is smoothed
+    bool Moving;      // fewer neighbours are asked
   };
 
   /** Angle of the smoothing over that of a direction's part of the sky. */
-  static double GetParts();
+  static constexpr double Parts = 1.5;
 
-  bool Resize(const Input& input);
+  bool Resize(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
   /** Target of the shares, which the caller fills before Run. */
   vtkIndirectTarget& GetShares() { return this->Shares[0]; }
   /** Writes irradiance; setLast sets the uniforms that turn a share into it. */

@@ -116,7 +116,6 @@ void vtkiStartSights()
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
     vtkiSights[i] = vtkiSight(0.0f, 0.0f);
-    vtkiSeenLights[i] = uvec4(0u);
   }
 }
 
@@ -130,7 +129,8 @@ void vtkiForgetLights()
 #endif
 
 // Adds the light of a cluster as a whole to all blocks. Returns true if one of them is near to it.
-bool vtkiAddToBlocks(int light, uvec4 bit, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
+// place: of the light among those that are summed at once.
+bool vtkiAddToBlocks(int light, int place, vec4 sender, vec4 senderNormal, vec3 density, vec3 position[4 * VTKI_BLOCKS],
   vec3 normal[4 * VTKI_BLOCKS], vec3 facet[4 * VTKI_BLOCKS] VTKI_LOOKS_OF_BLOCKS, inout vec3 irradiance[4 * VTKI_BLOCKS],
   inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
 {
@@ -142,7 +142,7 @@ bool vtkiAddToBlocks(int light, uvec4 bit, vec4 sender, vec4 senderNormal, vec3 
 #ifdef VTKI_DIVIDED
     vec3 toSender = sender.xyz - position[i];
     float division = vtkiDivision(dot(toSender, toSender), senderNormal.w);
-    vtkiSeenLights[i] |= share[i] > 0.0f ? bit : uvec4(0u);
+    vtkiSeenLights[i] |= share[i] > 0.0f ? vtkiLightBit(place) : uvec4(0u);
     isNear = vtkiKeepSight(vtkiSights[i], facet[i], normal[i], toSender, senderNormal, division, share[i]) || isNear;
     share[i] -= share[i] * division;
 #endif
@@ -154,7 +154,7 @@ bool vtkiAddToBlocks(int light, uvec4 bit, vec4 sender, vec4 senderNormal, vec3 
 
 #ifdef VTKI_DIVIDED
 // Adds the light of a cluster's branches to all blocks.
-void vtkiAddBranchesToBlocks(int light, uvec4 bit, vec3 position[4 * VTKI_BLOCKS], vec3 normal[4 * VTKI_BLOCKS],
+void vtkiAddBranchesToBlocks(int light, int place, vec3 position[4 * VTKI_BLOCKS], vec3 normal[4 * VTKI_BLOCKS],
   vec3 facet[4 * VTKI_BLOCKS], inout vec3 irradiance[4 * VTKI_BLOCKS], inout vec3 vectorIrradiance[4 * VTKI_BLOCKS])
 {
   vec4 sender;
@@ -166,17 +166,17 @@ void vtkiAddBranchesToBlocks(int light, uvec4 bit, vec3 position[4 * VTKI_BLOCKS
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
   {
     vec3 toSender = sender.xyz - position[i];
-    float seen = any(notEqual(vtkiSeenLights[i] & bit, uvec4(0u))) ? 1.0f : 0.0f;
+    float seen = any(notEqual(vtkiSeenLights[i] & vtkiLightBit(place), uvec4(0u))) ? 1.0f : 0.0f;
     share[i] = vtkiShareOfBranches(vtkiSights[i], facet[i], toSender, seen) *
       vtkiDivision(dot(toSender, toSender), senderNormal.w);
     below[i] = 0.0f;
   }
-  int place = 0;
-  while (place < VTKI_BRANCHES)
+  int node = 0;
+  while (node < VTKI_BRANCHES)
   {
     vec4 branch;
-    vtkiFetchBranch(vtkiFirstLight + light, place, sender, senderNormal, branch);
-    bool isChild = vtkiIsChild(place);
+    vtkiFetchBranch(vtkiFirstLight + light, node, sender, senderNormal, branch);
+    bool isChild = vtkiIsChild(node);
     float nearest = 0.0f;
     for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)
     {
@@ -188,7 +188,7 @@ void vtkiAddBranchesToBlocks(int light, uvec4 bit, vec3 position[4 * VTKI_BLOCKS
       vtkiAddSeenLight(position[i], normal[i], isChild ? share[i] - below[i] : below[i], branch.w, sender, senderNormal,
         branch.rgb, irradiance[i], vectorIrradiance[i]);
     }
-    place = vtkiNextBranch(place, senderNormal.w, nearest > 0.0f);
+    node = vtkiNextBranch(node, senderNormal.w, nearest > 0.0f);
   }
 }
 #endif
@@ -241,29 +241,27 @@ void vtkiEvaluateBlocks(ivec2 blocks[VTKI_BLOCKS], bool exists[VTKI_BLOCKS])
   {
     int end = min(first + atOnce, vtkiLightCount);
     uvec4 near = uvec4(0u);
+#ifdef VTKI_DIVIDED
+    vtkiForgetLights();
+#endif
     for (int light = first; light < end; ++light)
     {
       vec4 sender;
       vec4 senderNormal;
       vec3 density;
       vtkiFetchLight(light, sender, senderNormal, density);
+      bool isNear = vtkiAddToBlocks(vtkiFirstLight + light, light - first, sender, senderNormal, density,
+        position, normal, facet VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
 #ifdef VTKI_DIVIDED
-      uvec4 bit = vtkiLightBit(light - first);
-#else
-      uvec4 bit = uvec4(0u);
+      vtkiKeepNear(near, light - first, isNear);
 #endif
-      bool isNear = vtkiAddToBlocks(vtkiFirstLight + light, bit, sender, senderNormal, density, position,
-        normal, facet VTKI_WITH_LOOKS, irradiance, vectorIrradiance);
-      near |= isNear ? bit : uvec4(0u);
     }
 #ifdef VTKI_DIVIDED
     while (vtkiHasNear(near))
     {
-      int light = vtkiTakeNear(near);
-      vtkiAddBranchesToBlocks(
-        first + light, vtkiLightBit(light), position, normal, facet, irradiance, vectorIrradiance);
+      int place = vtkiTakeNear(near);
+      vtkiAddBranchesToBlocks(first + place, place, position, normal, facet, irradiance, vectorIrradiance);
     }
-    vtkiForgetLights();
 #endif
   }
   for (int i = 0; i < 4 * VTKI_BLOCKS; ++i)

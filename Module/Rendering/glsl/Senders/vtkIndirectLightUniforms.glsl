@@ -1,5 +1,6 @@
 // Virtual lights in a uniform block: a group of fragments reads it once, where each fragment would
-// read a texture. Lights beyond the block's size are all read from textures (VTKI_MORE_LIGHTS).
+// read a texture. Where there are more lights than the block holds, all come from textures
+// (VTKI_MORE_LIGHTS).
 #ifdef VTKI_MORE_LIGHTS
 #include "vtkIndirectLibTable.glsl"
 

@@ -1,11 +1,12 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-// Smooths the visible share of the sky along rows (VTKI_SKY_ROWS) or along columns; the last smoothing
-// makes the share irradiance (VTKI_SKY_LAST). A direction represents a part of the sky, and the sum has the sharp
-// shadow of its middle alone; the shadows of the part lie beside each other, as far as the part is
-// wide at the distance of what hides the sky. A pixel takes the mean of its neighbours within this
-// radius, the smaller one of both: light does not spread into contacts. Few neighbours leave copies of
-// a shadow's edge as far apart as they are, a weave: a second smoothing fills these gaps.
+// Smooths the visible share of the sky along rows (VTKI_SKY_ROWS) or along columns; the last
+// smoothing makes the share irradiance (VTKI_SKY_LAST). A direction represents a part of the sky,
+// and the sum has the sharp shadow of its middle alone; the shadows of the part lie beside each
+// other, as far as the part is wide at the distance of what hides the sky. A pixel takes the mean of
+// its neighbours within this radius, the smaller one of both: light does not spread into contacts.
+// Few neighbours leave copies of a shadow's edge as far apart as they are, a weave: a second
+// smoothing fills these gaps.
 #define VTKI_STEP 1
 #include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectLibSky.glsl"
