@@ -112,6 +112,46 @@ VTK_INDIRECT_TEST(SkyLosesNothing)
 }
 
 //------------------------------------------------------------------------------
+// A bright window of 23 x 23 degrees has a quarter of the light: each of the usual directions in
+// the window has more than a 32nd, and is too wide for one sharp shadow.
+VTK_INDIRECT_TEST(SkyHasMoreDirectionsWhereStrongLightIsWide)
+{
+  vtkNew<vtkImageData> image;
+  MakeImage(image, [](double) { return 1.0; });
+  for (int j = 112; j < 144; ++j)
+  {
+    for (int i = 96; i < 128; ++i)
+    {
+      auto* const window = static_cast<float*>(image->GetScalarPointer(i, j, 0));
+      std::fill(window, window + 3, 27.0f);
+    }
+  }
+  vtkNew<vtkEnvironmentLight> environment;
+  environment->SetImage(image);
+  glm::dvec3 total(0.0);
+  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
+  {
+    total += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
+  }
+  vtkIndirectSkyProjection projection;
+  vtkIndirectSkyDirections sky;
+  size_t added[2];
+  const int counts[][2] = { { 16, 64 }, { 64, 256 } };
+  for (int i = 0; i < 2; ++i)
+  {
+    sky.Update(projection, environment, counts[i][0], counts[i][1]);
+    const std::string name = std::to_string(counts[i][0]);
+    CheckEqual(name + ": strong", static_cast<double>(sky.GetStrong().size()), 0);
+    CheckRelative(
+      name + ": all of the light", SumOf(sky.GetOthers()).x, total.x, 1e-12, "rounding of a sum");
+    added[i] = sky.GetLattice().size() - static_cast<size_t>(counts[i][1]);
+    Check(name + ": several were added", added[i] >= 8);
+  }
+  CheckEqual(
+    "both frames have the same", static_cast<double>(added[0]), static_cast<double>(added[1]));
+}
+
+//------------------------------------------------------------------------------
 VTK_INDIRECT_TEST(SkyOpen)
 {
   struct Case

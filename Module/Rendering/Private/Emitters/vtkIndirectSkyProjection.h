@@ -3,7 +3,8 @@
 // change and shared by all stages that sum it.
 #pragma once
 
-#include "OpenGL/vtkIndirectKey.h" // for a member
+#include "Emitters/vtkIndirectEmitterAccess.h" // for cells
+#include "OpenGL/vtkIndirectKey.h"             // for a member
 
 #include <glm/glm.hpp> // for directions
 #include <map>         // for kept results
@@ -17,9 +18,14 @@ public:
   /** All of the light: each cell's light is in the direction nearest to it. */
   struct Result
   {
-    std::vector<glm::dvec3> Directions; // a nested lattice, see vtkIndirectDirections
-    std::vector<size_t> Nearest;        // nearest direction of each of the environment's cells
-    std::vector<glm::dvec3> Light;      // light of directions: radiance times solid angle
+    /**
+     * This is a nested lattice, see vtkIndirectDirections. Behind it stand the directions of a
+     * finer lattice around strong light that is wide, such as a studio's soft boxes: by one
+     * direction its shadow would have one sharp edge.
+     */
+    std::vector<glm::dvec3> Directions;
+    std::vector<size_t> Nearest;   // nearest direction of each of the environment's cells
+    std::vector<glm::dvec3> Light; // light of directions: radiance times solid angle
     /**
      * These are the unit directions that the light comes from: the middle of narrow light, such as
      * a sun's; otherwise the lattice's direction itself, so that a turning sky changes weights
@@ -48,6 +54,10 @@ public:
   static double SumColors(const glm::dvec3& light) { return light.x + light.y + light.z; }
 
 private:
+  using Cells = std::vector<vtkIndirectEmitterAccess::Cell>;
+  static void Sum(Result& result, const Cells& cells, int count);
+  static bool Refine(Result& result, const Cells& cells, int count);
+
   std::map<int, Result> Results; // by the number of directions
   vtkIndirectKey Environment;
 };

@@ -228,7 +228,7 @@ void vtkIndirectPlan::FindSky(const vtkIndirectFrame& frame, const vtkIndirectSe
   }
   // With fewer than 64 directions edges of their shadows show, which a tolerance may allow.
   // On a plane that catches light the shadows of single directions show: twice the usual number.
-  const int fewest = this->ErrorToleranceIsSet ? 16 : !frame.Catchers.empty() ? 512 : 64;
+  const int fewest = this->ErrorToleranceIsSet ? 16 : !frame.Catchers.empty() ? 256 : 64;
   this->NumberOfStillSkyDirections = std::max(FindSkyDirections(this->SkyErrorTolerance), fewest);
   this->NumberOfSkyDirections = this->NumberOfStillSkyDirections;
   if (this->Interactive)

@@ -59,8 +59,7 @@ std::vector<float> GatherEvenHalves(const std::vector<glm::vec3>& flux)
 bool vtkIndirectSkyDirections::Update(
   vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still)
 {
-  const bool other = this->Environment.Take({ "environment", environment }) ||
-    std::max(still, LeastLattice) != std::max(this->Still, LeastLattice);
+  const bool other = this->Environment.Take({ "environment", environment }) || still != this->Still;
   if (!other && count == this->Count && still == this->Still)
   {
     return false;
@@ -86,24 +85,20 @@ void vtkIndirectSkyDirections::FindLight(
     vtkIndirectEmitterAccess::GetCells(environment);
   const vtkIndirectSkyProjection::Result& sky =
     projection.Find(environment, std::max(this->Still, LeastLattice));
-  this->Lattice = sky.Directions;
-  const std::vector<size_t>& nearest = sky.Nearest;
-  const std::vector<glm::dvec3>& light = sky.Light;
+  const auto still = sky.Directions.begin() + this->Still;
+  const auto added = sky.Directions.begin() + std::max(this->Still, LeastLattice);
+  this->Lattice.assign(sky.Directions.begin(), still);
+  this->Lattice.insert(this->Lattice.end(), added, sky.Directions.end());
   this->Strong.clear();
   this->Known.clear();
   this->Sharing.clear();
   this->Cells.clear();
   this->OpenTexels.clear();
-  std::vector<Summand>& others = this->Known[static_cast<int>(light.size())];
-  for (size_t i = 0; i < light.size(); ++i)
+  for (size_t i = 0; i < sky.Light.size(); ++i)
   {
     if (sky.IsStrong(i))
     {
-      this->Strong.push_back({ i, light[i], sky.Middles[i] });
-    }
-    else if (vtkIndirectSkyProjection::SumColors(light[i]) > 0.0)
-    {
-      others.push_back({ i, light[i], this->Lattice[i] });
+      this->Strong.push_back({ i, sky.Light[i], sky.Middles[i] });
     }
   }
   this->Flux.assign(static_cast<size_t>(Pieces) * Pieces, glm::dvec3(0.0));
@@ -111,7 +106,7 @@ void vtkIndirectSkyDirections::FindLight(
   for (size_t i = 0; i < cells.size(); ++i)
   {
     const double sent = vtkIndirectSkyProjection::SumColors(glm::make_vec3(cells[i].Light));
-    if (sky.IsStrong(nearest[i]))
+    if (sky.IsStrong(sky.Nearest[i]))
     {
       continue;
     }
@@ -139,6 +134,10 @@ void vtkIndirectSkyDirections::FindOthers(int count)
   }
   std::vector<size_t> numbers(static_cast<size_t>(count));
   std::iota(numbers.begin(), numbers.end(), size_t(0));
+  for (size_t i = static_cast<size_t>(this->Still); i < this->Lattice.size(); ++i)
+  {
+    numbers.push_back(i);
+  }
   this->Others = this->Share(numbers);
   this->Known[count] = this->Others;
 }

@@ -31,12 +31,14 @@ public:
   };
 
   /**
-   * Finds the light of the first `count` of `still` directions. Returns true if anything has
-   * changed since the last call.
+   * Finds the light of the first `count` of `still` directions, and of those that were added where
+   * strong light is wide. Returns true if anything has changed since the last call.
    */
   bool Update(
     vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still);
 
+  /** Returns the unit directions to the light that all frames together sum. */
+  const std::vector<glm::dvec3>& GetLattice() const { return this->Lattice; }
   /** Returns the unit direction to the light. */
   const glm::dvec3& GetDirection(size_t number) const { return this->Lattice[number]; }
   /** Returns the directions that have more than a 32nd of all light. */
@@ -81,7 +83,7 @@ private:
   void FindLight(vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
   void FindOthers(int count);
 
-  std::vector<glm::dvec3> Lattice; // at least 256 directions
+  std::vector<glm::dvec3> Lattice; // a still frame's directions, and added ones
   std::vector<Summand> Strong;
   std::vector<Summand> Others;
   std::map<int, std::vector<Summand>> Known; // others, by number of directions

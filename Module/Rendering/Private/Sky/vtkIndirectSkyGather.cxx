@@ -90,10 +90,7 @@ void vtkIndirectSkyGather::UpdateDirections(const Input& input)
     directions[Strong].push_back(summand.Direction);
   }
   // Each direction has a place, with light or not: it may get light when the environment turns.
-  for (int i = 0; i < still; ++i)
-  {
-    directions[Others].push_back(this->Directions.GetDirection(static_cast<size_t>(i)));
-  }
+  directions[Others] = this->Directions.GetLattice();
   for (int i = 0; i < NumberOfGroups; ++i)
   {
     Group& group = this->Groups[i];
