@@ -56,8 +56,10 @@ struct vtkIndirectInterval
 struct vtkIndirectSeenBox
 {
   bool IsPart = false;      // false: the eye sees most of the scene, and the box means nothing
+  double Share = 1.0;       // of its largest side in the scene's
   glm::dvec3 Middle{ 0.0 }; // along the world's axes, scene units
   glm::dvec3 Half{ 0.0 };
+  static constexpr double MostOfPart = 0.125;
 
   /**
    * Returns the weight of a squared error of light from a place, for receivers in the box: light
@@ -151,8 +153,8 @@ private:
       box.Half[axis] = held.Half;
     }
     // A larger part has its share of all lights and texels, and changes as the camera turns.
-    constexpr double most = 0.125;
-    box.IsPart = FindArea(box.Half) <= most * FindArea(reach);
+    box.Share = FindArea(box.Half) / FindArea(reach);
+    box.IsPart = box.Share <= vtkIndirectSeenBox::MostOfPart;
     return box;
   }
 };

@@ -20,9 +20,8 @@ constexpr double MostAngularWidth = 0.3;
 constexpr size_t NumberOfAsked = 256;
 
 // The triangles that the depth maps of all lights draw: they take 1 to 2 s of a processor's core,
-// or twice as long where the eye sees a part of the scene.
+// or up to twice as long where the eye sees a small part of the scene.
 constexpr double MostDrawn = 33554432.0;
-constexpr double MostDrawnOfPart = 2.0 * MostDrawn;
 }
 
 //------------------------------------------------------------------------------
@@ -83,7 +82,8 @@ bool vtkIndirectSenderClusters::AreNarrow(
 //------------------------------------------------------------------------------
 int vtkIndirectSenderClusters::FindMostNarrow(const vtkIndirectFrame& frame, int most)
 {
-  const double drawn = frame.Seen.Near.IsPart ? MostDrawnOfPart : MostDrawn;
+  const double parts = vtkIndirectSeenBox::MostOfPart / frame.Seen.Near.Share;
+  const double drawn = MostDrawn * std::min(std::max(parts, 1.0), 2.0);
   const double number = drawn / std::max(frame.CountDepthTriangles(), 1.0);
   return number < most ? static_cast<int>(number) : most;
 }
