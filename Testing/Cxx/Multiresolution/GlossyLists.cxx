@@ -182,6 +182,29 @@ VTK_INDIRECT_TEST(ListsThreshold)
   }
 }
 
+// The finest level bounds how far lights are resolved, as for diffuse light: blocks of 4 x 4 pixels
+// make the same picture but for the sharpest highlights, by fewer evaluations.
+VTK_INDIRECT_TEST(ListsFinestLevel)
+{
+  for (double power : { 3.0, 25.0, 128.0 })
+  {
+    ListedRoom scene(320, 240, power);
+    scene.Sampler->SetNumberOfLights(256);
+    RequireLists(scene);
+    const Image exact = scene.GatherAll();
+    scene.Splat();
+    const double all = GetShare(scene);
+    scene.Splatting->SetFinestLevelToQuarterResolution();
+    const Image coarse = scene.Splat();
+    const std::string what = "power " + std::to_string(static_cast<int>(power)) + ": ";
+    CheckAtMost(what + "RMSE of the mean", RootMeanSquare(coarse, exact) / Mean(exact),
+      power < 100.0 ? 0.4 : 1.0, "measured: 0.25, 0.34 and 0.89");
+    CheckRelative(what + "mean", Mean(coarse), Mean(exact), 0.02, "measured: 0.011 at most");
+    CheckAtMost(what + "evaluations over those down to pixels", GetShare(scene) / all, 0.3,
+      "measured: 0.24 at most");
+  }
+}
+
 // Contexts before OpenGL 4.3 have no lists, and use the setting without them.
 VTK_INDIRECT_TEST(ListsFallBack)
 {

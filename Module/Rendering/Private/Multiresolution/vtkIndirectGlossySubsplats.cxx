@@ -278,6 +278,7 @@ bool vtkIndirectGlossySubsplats::Fill(const Input& input, const Settings& settin
   const vtkIndirectTarget& irradiance, vtkIndirectTarget& glossy)
 {
   const Work work = { input, settings, pyramid, lights, irradiance };
+  this->FinestLevel = static_cast<size_t>(settings.FinestLevel);
   bool done = this->FillLobes(work) && this->ListFirst(work);
   this->Levels.back()->Begin();
   this->Levels.back()->Clear();
@@ -286,9 +287,10 @@ bool vtkIndirectGlossySubsplats::Fill(const Input& input, const Settings& settin
   {
     vtkIndirectTarget& target = number == 0 ? glossy : *this->Levels[number - 1];
     done = this->Interpolate(work, number, target) && this->Evaluate(work, number, target, false);
-    // The last level has no whole texel.
-    done =
-      done && (number + 1 == this->Levels.size() || this->Evaluate(work, number, target, true));
+    // The last level has no whole texel. Texels of the finest level and of finer ones keep what
+    // they have interpolated.
+    const bool stays = number + 1 == this->Levels.size() || number < this->FinestLevel;
+    done = done && (stays || this->Evaluate(work, number, target, true));
   }
   return done;
 }
@@ -300,8 +302,10 @@ double vtkIndirectGlossySubsplats::CountEvaluations() const
   for (size_t number = 1; number <= this->Levels.size(); ++number)
   {
     // A pair counts for four children, and under whole texels also for the nine samples around.
-    evaluations += 4.0 * static_cast<double>(this->Lists.Count(SplitList(number)).Pairs) +
-      13.0 * static_cast<double>(this->Lists.Count(WholeList(number)).Pairs);
+    evaluations += 4.0 * static_cast<double>(this->Lists.Count(SplitList(number)).Pairs);
+    evaluations += number > this->FinestLevel
+      ? 13.0 * static_cast<double>(this->Lists.Count(WholeList(number)).Pairs)
+      : 0.0;
   }
   return evaluations;
 }

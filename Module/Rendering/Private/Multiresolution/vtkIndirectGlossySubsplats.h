@@ -59,6 +59,7 @@ private:
   std::vector<std::unique_ptr<vtkIndirectTarget>> Lobes;  // [i] is level i + 1
   std::vector<std::unique_ptr<vtkIndirectTarget>> Levels; // the same
   bool HalfFloats = true;
+  size_t FinestLevel = 0; // no light is resolved further than on this level
   vtkIndirectGlossyLists Lists{
     this
   }; // level n: list 2 n - 2 of split texels, 2 n - 1 of whole ones

@@ -42,9 +42,9 @@ void main()
       most = max(most, power);
     }
   }
-  // Lobes of different powers do not represent each other.
-  split = split || least < most ||
-    vtkiSubsplatState(texelFetch(vtkiLevelSurface, texel, 0).w) != VTKI_SUBSPLAT_WHOLE;
+  // Lobes of different powers do not represent each other. Several surfaces have one sample if the
+  // level is too fine to be split.
+  split = split || least < most || vtkiSubsplatIsSplit(texelFetch(vtkiLevelSurface, texel, 0).w);
   gl_FragData[0] = vec4(
     most, most < 0.0f ? VTKI_GLOSSY_NONE : (split ? VTKI_GLOSSY_SPLIT : VTKI_GLOSSY_WHOLE), 0.0f, 1.0f);
 }

@@ -9,6 +9,11 @@ uniform float vtkiCoarserEdge; // pixels along the edge of a coarser texel
 
 uniform bool vtkiContinuesSlopes; // beyond the last texel of a surface; false: as Nichols and Wyman 2009
 
+#ifdef VTKI_NEAREST
+// A sample on the surface has a weight of one.
+const float vtkiEnoughNearness = 0.25f;
+#endif
+
 struct vtkiCoarser
 {
   bool counts; // has illumination, on the same surface
@@ -93,14 +98,26 @@ bool vtkiInterpolateSubsplat(ivec2 texel, vtkiTangentPlane plane, bool trusted,
   }
 #ifdef VTKI_NEAREST
   float weights = own.weight + x.weight + y.weight + acrossX.weight + acrossY.weight;
+  irradiance = own.weight * own.irradiance + x.weight * x.irradiance + y.weight * y.irradiance +
+    acrossX.weight * acrossX.irradiance + acrossY.weight * acrossY.irradiance;
+  vectorIrradiance = own.weight * own.vectorIrradiance + x.weight * x.vectorIrradiance +
+    y.weight * y.vectorIrradiance + acrossX.weight * acrossX.vectorIrradiance +
+    acrossY.weight * acrossY.vectorIrradiance;
+  // Beside an outline all five may lie on the surface in front, whose light is another: the others
+  // of 5 x 5 texels may hold the surface behind. Loops end early where branches do not.
+  int others = weights < vtkiEnoughNearness ? 25 : 0;
+  for (int i = 0; i < others; ++i)
+  {
+    ivec2 shift = ivec2(i % 5 - 2, i / 5 - 2);
+    vtkiCoarser other = vtkiFetchCoarser(place + shift, plane, false);
+    float weight = abs(shift.x) + abs(shift.y) < 2 ? 0.0f : other.weight;
+    weights += weight;
+    irradiance += weight * other.irradiance;
+    vectorIrradiance += weight * other.vectorIrradiance;
+  }
   float perWeight = 1.0f / max(weights, 1.0e-30f);
-  irradiance = perWeight *
-    (own.weight * own.irradiance + x.weight * x.irradiance + y.weight * y.irradiance +
-      acrossX.weight * acrossX.irradiance + acrossY.weight * acrossY.irradiance);
-  vectorIrradiance = perWeight *
-    (own.weight * own.vectorIrradiance + x.weight * x.vectorIrradiance +
-      y.weight * y.vectorIrradiance + acrossX.weight * acrossX.vectorIrradiance +
-      acrossY.weight * acrossY.vectorIrradiance);
+  irradiance *= perWeight;
+  vectorIrradiance *= perWeight;
   return false;
 #else
   float weightX = x.counts ? 1.0f : 0.0f;
