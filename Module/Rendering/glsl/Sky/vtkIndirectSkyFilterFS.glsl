@@ -18,11 +18,11 @@
 
 uniform int vtkiSkyCount; // directions in the block
 
-// Least share of the light of all directions that the neighbours must have summed: at a corner of a
-// surface less than nine sixteenths of the neighbours are within the filter, and these pixels have
-// summed all directions. All directions give less where the facet leans away from the shading
-// normal: a cosine lobe keeps half of one plus the cosine between the two above the facet's plane.
-const float VTKI_SKY_COVERAGE = 0.55f;
+// Least share of the light of all directions that the neighbours must have summed: a pixel alone has
+// a quarter, a pixel at a corner of a surface nine sixteenths. All directions give less where the
+// facet leans away from the shading normal: a cosine lobe keeps half of one plus the cosine between
+// the two above the facet's plane.
+const float VTKI_SKY_COVERAGE = 0.3f;
 #endif
 
 uniform sampler2D vtkiSkySums;
