@@ -12,6 +12,7 @@
 #include "vtkMath.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper.h"
+#include "vtkShrinkPolyData.h"
 #include "vtkSphereSource.h"
 
 #include <algorithm>
@@ -35,6 +36,16 @@ vtkSmartPointer<vtkSphereSource> MakeBall(int rows, double radius = 1.0)
   return ball;
 }
 
+// A ball whose triangles share no points: the pass makes no levels of such a mesh by itself.
+vtkSmartPointer<vtkShrinkPolyData> MakeBallOfPieces(double radius = 1.0)
+{
+  auto ball = vtkSmartPointer<vtkShrinkPolyData>::New();
+  ball->SetInputConnection(MakeBall(Fine, radius)->GetOutputPort());
+  ball->SetShrinkFactor(1.0);
+  ball->Update();
+  return ball;
+}
+
 // Bound of the distance of a ball's facets inside the ball, with rows turned by half of their angle
 // both ways.
 double FindError(int rows)
@@ -47,7 +58,7 @@ struct BallView : View
 {
   vtkNew<vtkIndirectIlluminationPass> Pass;
   vtkNew<vtkEnvironmentLight> Sky;
-  vtkSmartPointer<vtkActor> Ball = MakeActor(MakeBall(Fine));
+  vtkSmartPointer<vtkActor> Ball = MakeActor(MakeBallOfPieces());
 
   BallView()
     : View(64, 48)
@@ -288,7 +299,7 @@ VTK_INDIRECT_TEST(CoarseLevelsRelease)
   view.AddLevel();
   check(1, "added again");
   // Two buffers replace those of a changed mesh.
-  auto ball = MakeBall(Fine, 1.001);
+  auto ball = MakeBallOfPieces(1.001);
   view.Ball->GetMapper()->SetInputConnection(ball->GetOutputPort());
   check(0, "another mesh");
   view.AddLevel();
@@ -336,7 +347,7 @@ VTK_INDIRECT_TEST(CoarseLevelsRelease)
   CONTRACT_CHECK(view.What().empty(), view.What());
 
   // Levels discarded and not yet released when the pass is destroyed.
-  auto last = MakeActor(MakeBall(Fine));
+  auto last = MakeActor(MakeBallOfPieces());
   view.Renderer->AddActor(last);
   const int plain = CountNames(view.Window).Buffers;
   {

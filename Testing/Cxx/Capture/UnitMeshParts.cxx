@@ -224,7 +224,7 @@ VTK_INDIRECT_TEST(MeshPartsOfTwoSheets)
 
 VTK_INDIRECT_TEST(MeshPartsOfOtherMeshes)
 {
-  const Ring few(50, 100, 0.4);
+  const Ring few(20, 90, 0.4);
   Check("few triangles have no parts", !vtkIndirectMeshParts::Make(few.Mesh, few.List));
 
   const Ring ring(200, 500, 0.4);

@@ -37,7 +37,7 @@ struct vtkIndirectPropKind
   /** Approximate number of its triangles; 1e9 if its mapper alone knows. */
   double NumberOfTriangles = 0.0;
   /** Depth maps draw meshes of as many triangles by coarse levels, see vtkIndirectMeshParts. */
-  static constexpr size_t DenseTriangles = 20000;
+  static constexpr size_t DenseTriangles = 4000;
   /**
    * This is the number of triangles that take as long in a depth map; a guess if its mapper alone
    * knows.
