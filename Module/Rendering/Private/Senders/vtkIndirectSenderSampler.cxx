@@ -91,7 +91,6 @@ void vtkIndirectSenderSampler::SetEmitters(
 {
   this->Source = source;
   this->Given = emitters;
-  this->IsFresh = true;
   ++this->SourceTime;
   vtkIndirectEmitters::List lit = emitters;
   for (vtkIndirectLight& emitter : this->Emitters)
@@ -117,8 +116,7 @@ bool vtkIndirectSenderSampler::DrawMaps(
 {
   // A scene at rest takes exactly the given emitters in their order, so that the picture does not
   // depend on its history.
-  const bool rests = !plan.Interactive && !this->IsFresh && !frame.IsFurtherPart();
-  this->IsFresh = false;
+  const bool rests = !plan.Interactive && !frame.IsFurtherPart();
   if (rests &&
     !std::equal(this->Emitters.begin(), this->Emitters.end(), this->Given.begin(),
       this->Given.end(), HaveSameNumber))
