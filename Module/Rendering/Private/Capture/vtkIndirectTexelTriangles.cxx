@@ -15,14 +15,32 @@
 namespace
 {
 // With fewer triangles for a texel, many of them cover its centre.
-constexpr size_t LeastTrianglesOfTexel = 4;
+constexpr double LeastTrianglesOfTexel = 4.0;
+// To send the indices of so few takes as long as to draw them all.
+constexpr size_t FewestTriangles = 1000;
+
+// Returns the share of a parallel view's picture that the bounds of a prop span, at most one.
+double FindShare(const glm::dmat4& worldToClip, const double bounds[6])
+{
+  glm::dvec2 lower(1.0);
+  glm::dvec2 upper(-1.0);
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec4 corner(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0);
+    const glm::dvec2 place = glm::clamp(glm::dvec2(worldToClip * corner), -1.0, 1.0);
+    lower = glm::min(lower, place);
+    upper = glm::max(upper, place);
+  }
+  return 0.25 * (upper.x - lower.x) * (upper.y - lower.y);
+}
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectTexelTriangles::Scope::Scope(vtkIndirectTexelTriangles& triangles,
   const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view, int texels, vtkProp* prop)
 {
-  if (!IsWorthIt(view, texels, prop))
+  const glm::dmat4 worldToClip = view.GetWorldToClip(frame);
+  if (!view.Parallel || !IsWorthIt(worldToClip, texels, prop))
   {
     return;
   }
@@ -33,7 +51,7 @@ vtkIndirectTexelTriangles::Scope::Scope(vtkIndirectTexelTriangles& triangles,
   }
   this->Prop = prop;
   this->Own = vtkIndirectDepthDrawer::GetIndices(prop);
-  const glm::dmat4 toClip = view.GetWorldToClip(frame) * vtkIndirectFrame::ToGLM(prop->GetMatrix());
+  const glm::dmat4 toClip = worldToClip * vtkIndirectFrame::ToGLM(prop->GetMatrix());
   triangles.Small.SetView(glm::mat4(glm::translate(toClip, mesh.First)), glm::ivec2(texels));
   triangles.Small.Project(mesh.Points);
   size_t first = 0;
@@ -67,15 +85,18 @@ vtkIndirectTexelTriangles::Scope::~Scope()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectTexelTriangles::IsWorthIt(
-  const vtkIndirectDepthTile& view, int texels, vtkProp* prop)
+bool vtkIndirectTexelTriangles::IsWorthIt(const glm::dmat4& worldToClip, int texels, vtkProp* prop)
 {
   using namespace vtkIndirectBackEndChoices;
-  const size_t least = LeastTrianglesOfTexel * static_cast<size_t>(texels) * texels;
-  return view.Parallel && Get(Triangles) == TrianglesOfTexels &&
-    vtkIndirectDepthDrawer::CanDraw(prop) &&
-    vtkIndirectDepthDrawer::CountTriangles(prop) >= least &&
-    !vtkIndirectDepthDrawer::NumbersTriangles(prop);
+  if (Get(Triangles) != TrianglesOfTexels || !vtkIndirectDepthDrawer::CanDraw(prop) ||
+    vtkIndirectDepthDrawer::NumbersTriangles(prop))
+  {
+    return false;
+  }
+  const size_t triangles = vtkIndirectDepthDrawer::CountTriangles(prop);
+  const double seen = FindShare(worldToClip, prop->GetBounds()) * texels * texels;
+  return triangles >= FewestTriangles &&
+    static_cast<double>(triangles) >= LeastTrianglesOfTexel * seen;
 }
 
 //------------------------------------------------------------------------------

@@ -52,6 +52,6 @@ private:
   std::map<vtkProp*, Mesh> Meshes;
   vtkIndirectSmallTriangles Small;
 
-  static bool IsWorthIt(const vtkIndirectDepthTile& view, int texels, vtkProp* prop);
+  static bool IsWorthIt(const glm::dmat4& worldToClip, int texels, vtkProp* prop);
   const Mesh& Read(vtkProp* prop);
 };
