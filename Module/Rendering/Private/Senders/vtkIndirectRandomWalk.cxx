@@ -22,6 +22,9 @@ constexpr double TwoPi = 2.0 * Pi;
 // The first paths of each light, which tell how many paths the light needs.
 constexpr size_t PilotPaths = 64;
 constexpr size_t PathsAtATime = 64;
+// Where more paths than that leave the scene for each vertex, later bounces are a small part of all
+// light, and fewer vertices tell them well enough.
+constexpr double MostPathsOfVertex = 8.0;
 
 // A ray begins this far from its surface, as a share of the scene's diagonal: coincident copies of
 // a surface lie nearer.
@@ -553,7 +556,8 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
   }
   for (size_t i = 0; i < emitters.size() && perPath > 0.0; ++i)
   {
-    const double share = powers[i] / total * settings.NumberOfVertices / perPath;
+    const double share = powers[i] / total * settings.NumberOfVertices /
+      std::max(perPath, 1.0 / MostPathsOfVertex);
     if (!(share > 0.0))
     {
       continue;
