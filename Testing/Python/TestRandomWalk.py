@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The random walk from Python: the sampler by name, its page, the report, all bounces of a scene."""
 
+import re
 import unittest
 
 import support
+from rooms import make_actor
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkRenderingCore import vtkLightKit, vtkRenderer
+
 import vtkindirect
 from vtkindirect import frames, images, metrics, references, settings, wrapped
 
@@ -43,6 +48,27 @@ class RandomWalk(unittest.TestCase):
         lights = images.copy_buffer(loaded.renderer, "lights").reshape(-1, 12)
         self.assertTrue((lights[:, 3] > 0.0).all())
         loaded.render_window.Finalize()
+
+    def test_few_paths_where_nearly_all_leave_the_scene(self) -> None:
+        """Cubes far apart reflect to each other little: eight paths for each vertex at most."""
+        renderer = vtkRenderer()
+        for x in range(3):
+            cube = vtkCubeSource()
+            cube.SetCenter(3 * x, 0, 0)
+            renderer.AddActor(make_actor(cube))
+        window = vtkindirect.render_window((48, 48), offscreen=True)
+        window.AddRenderer(renderer)
+        self.addCleanup(window.Finalize)
+        vtkLightKit().AddLightsToRenderer(renderer)
+        renderer.ResetCamera()
+        vtkindirect.enable(renderer)
+        window.Render()
+        modelled = vtkindirect.report(renderer)["modelled"]
+        walk = next(entry["why"] for entry in modelled if entry["what"] == "random walk")
+        paths, _, vertices = (int(number) for number in re.findall(r"\d+", walk))
+        self.assertGreater(vertices, 0)
+        self.assertLess(8 * vertices, paths)  # fewer than one of eight meets another surface
+        self.assertLess(paths, 530000)  # 65,536 vertices were wanted
 
     @unittest.skipUnless(wrapped.has("vtkOpenEXRReader"), "references are OpenEXR files")
     def test_all_bounces(self) -> None:
