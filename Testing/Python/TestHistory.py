@@ -6,8 +6,6 @@ import unittest
 import numpy as np
 import support
 from rooms import make_actor, make_area, make_ball, make_room
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkGlyph3DMapper, vtkLight, vtkRenderer
 
@@ -153,25 +151,6 @@ class History(unittest.TestCase):
         for kind in ("spot", "sky", "area", "full", "soft"):
             with self.subTest(kind=kind):
                 self.compare(self.draw_path(kind, path), self.draw_path(kind, path[-1:]))
-
-    def test_first_frame_of_a_turned_sky(self) -> None:
-        """A sun of an environment reaches other directions as the environment turns."""
-        radiances = np.full((64, 128, 3), 0.3, np.float32)
-        radiances[45, 30] = 300.0
-        image = vtkImageData()
-        image.SetDimensions(128, 64, 1)
-        image.GetPointData().SetScalars(numpy_to_vtk(radiances.reshape(-1, 3), deep=1))
-        lights = []
-        for angles in (np.linspace(0.0, 0.8, 9), (0.8,)):
-            renderer, _ = self.add_scene("sun")
-            environment = vtkindirect.vtkEnvironmentLight()
-            environment.SetImage(image)
-            vtkindirect.pass_of(renderer).SetEnvironment(environment)
-            for angle in angles:
-                environment.SetRight(np.cos(angle), 0, np.sin(angle))
-                self.window.Render()
-            lights.append(self.take_light(renderer))
-        self.compare(*lights)
 
 
 if __name__ == "__main__":

@@ -91,6 +91,7 @@ void vtkIndirectSenderSampler::SetEmitters(
 {
   this->Source = source;
   this->Given = emitters;
+  this->IsFresh = true;
   ++this->SourceTime;
   vtkIndirectEmitters::List lit = emitters;
   for (vtkIndirectLight& emitter : this->Emitters)
@@ -116,7 +117,8 @@ bool vtkIndirectSenderSampler::DrawMaps(
 {
   // A scene at rest takes exactly the given emitters in their order, so that the picture does not
   // depend on its history.
-  const bool rests = !plan.Interactive && !frame.IsFurtherPart();
+  const bool rests = !plan.Interactive && !this->IsFresh && !frame.IsFurtherPart();
+  this->IsFresh = false;
   if (rests &&
     !std::equal(this->Emitters.begin(), this->Emitters.end(), this->Given.begin(),
       this->Given.end(), HaveSameNumber))

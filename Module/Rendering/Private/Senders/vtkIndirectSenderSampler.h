@@ -79,6 +79,7 @@ private:
 
   vtkIndirectEmitters::List Emitters; // in the order of their maps; dark ones have lost their light
   vtkIndirectEmitters::List Given;    // emitters of the frame
+  bool IsFresh = false;               // true if Given was set since the maps were drawn
   vtkIndirectKey Source;              // the inputs of Given
   bool EmittersHaveMoved = false;     // true if emitters came, went or moved since then
 
