@@ -43,6 +43,16 @@ glm::dvec3 SumOf(const std::vector<vtkIndirectSkyDirections::Summand>& summands)
   return sum;
 }
 
+glm::dvec3 SumOf(vtkEnvironmentLight* environment)
+{
+  glm::dvec3 sum(0.0);
+  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
+  {
+    sum += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
+  }
+  return sum;
+}
+
 // Bilinear look-up of a texel table, as textures do it.
 double LookUp(const vtkIndirectSkyDirections::OpenSky& sky, const glm::dvec3& normal, int channel)
 {
@@ -73,11 +83,7 @@ VTK_INDIRECT_TEST(SkyLosesNothing)
   sun[2] = 2e4f;
   vtkNew<vtkEnvironmentLight> environment;
   environment->SetImage(image);
-  glm::dvec3 total(0.0);
-  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
-  {
-    total += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
-  }
+  const glm::dvec3 total = SumOf(environment);
   vtkIndirectSkyProjection projection;
   vtkIndirectSkyDirections sky;
   Check("the first is another", sky.Update(projection, environment, 64, 256));
@@ -128,11 +134,7 @@ VTK_INDIRECT_TEST(SkyHasMoreDirectionsWhereStrongLightIsWide)
   }
   vtkNew<vtkEnvironmentLight> environment;
   environment->SetImage(image);
-  glm::dvec3 total(0.0);
-  for (const vtkIndirectEmitterAccess::Cell& cell : vtkIndirectEmitterAccess::GetCells(environment))
-  {
-    total += glm::dvec3(cell.Light[0], cell.Light[1], cell.Light[2]);
-  }
+  const glm::dvec3 total = SumOf(environment);
   vtkIndirectSkyProjection projection;
   vtkIndirectSkyDirections sky;
   size_t added[2];

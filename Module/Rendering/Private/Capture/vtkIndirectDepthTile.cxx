@@ -199,7 +199,7 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
   }
   // The eye sees no receiver beyond the box, so the tile ends there.
   const vtkIndirectSeenBox& seen = frame.Seen.Box;
-  for (int axis = 0; seen.IsPart && axis < 2; ++axis)
+  for (int axis = 0; seen.IsPart() && axis < 2; ++axis)
   {
     const double middle = glm::dot(axes[axis], seen.Middle - tile.Place);
     const double reach = seen.FindReach(axes[axis]);

@@ -26,7 +26,7 @@ double FindShare(const glm::dmat4& worldToClip, const double bounds[6])
   glm::dvec2 upper(-1.0);
   for (int i = 0; i < 8; ++i)
   {
-    const glm::dvec4 corner(bounds[i & 1], bounds[2 + (i >> 1 & 1)], bounds[4 + (i >> 2)], 1.0);
+    const glm::dvec4 corner(vtkIndirectFrame::GetCorner(bounds, i), 1.0);
     const glm::dvec2 place = glm::clamp(glm::dvec2(worldToClip * corner), -1.0, 1.0);
     lower = glm::min(lower, place);
     upper = glm::max(upper, place);
@@ -39,8 +39,14 @@ double FindShare(const glm::dmat4& worldToClip, const double bounds[6])
 vtkIndirectTexelTriangles::Scope::Scope(vtkIndirectTexelTriangles& triangles,
   const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view, int texels, vtkProp* prop)
 {
+  if (!view.Parallel || !CanChoose(prop))
+  {
+    return;
+  }
   const glm::dmat4 worldToClip = view.GetWorldToClip(frame);
-  if (!view.Parallel || !IsWorthIt(worldToClip, texels, prop))
+  const double seen = FindShare(worldToClip, prop->GetBounds()) * texels * texels;
+  if (static_cast<double>(vtkIndirectDepthDrawer::CountTriangles(prop)) <
+    LeastTrianglesOfTexel * seen)
   {
     return;
   }
@@ -85,18 +91,12 @@ vtkIndirectTexelTriangles::Scope::~Scope()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectTexelTriangles::IsWorthIt(const glm::dmat4& worldToClip, int texels, vtkProp* prop)
+bool vtkIndirectTexelTriangles::CanChoose(vtkProp* prop)
 {
   using namespace vtkIndirectBackEndChoices;
-  if (Get(Triangles) != TrianglesOfTexels || !vtkIndirectDepthDrawer::CanDraw(prop) ||
-    vtkIndirectDepthDrawer::NumbersTriangles(prop))
-  {
-    return false;
-  }
-  const size_t triangles = vtkIndirectDepthDrawer::CountTriangles(prop);
-  const double seen = FindShare(worldToClip, prop->GetBounds()) * texels * texels;
-  return triangles >= FewestTriangles &&
-    static_cast<double>(triangles) >= LeastTrianglesOfTexel * seen;
+  return Get(Triangles) == TrianglesOfTexels && vtkIndirectDepthDrawer::CanDraw(prop) &&
+    vtkIndirectDepthDrawer::CountTriangles(prop) >= FewestTriangles &&
+    !vtkIndirectDepthDrawer::NumbersTriangles(prop);
 }
 
 //------------------------------------------------------------------------------

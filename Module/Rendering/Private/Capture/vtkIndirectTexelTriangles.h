@@ -52,6 +52,6 @@ private:
   std::map<vtkProp*, Mesh> Meshes;
   vtkIndirectSmallTriangles Small;
 
-  static bool IsWorthIt(const glm::dmat4& worldToClip, int texels, vtkProp* prop);
+  static bool CanChoose(vtkProp* prop);
   const Mesh& Read(vtkProp* prop);
 };

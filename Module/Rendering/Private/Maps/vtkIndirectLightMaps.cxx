@@ -214,7 +214,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     // No stage reads the window of a positional light with a size: shadows come from its penumbra,
     // and senders from its map.
     const bool isRead = map.Light.Size == 0.0 || !map.Light.Positional;
-    const bool sends = this->Content >= SENDERS && frame.Seen.Near.IsPart;
+    const bool sends = this->Content >= SENDERS && frame.Seen.Near.IsPart();
     if ((plan.Shadows || sends) && isRead && layer < mostLayers)
     {
       FittedWindow& fitted = this->FittedWindows[i];

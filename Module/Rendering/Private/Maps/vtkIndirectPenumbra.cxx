@@ -133,7 +133,7 @@ void FitDirectional(
     axes.push_back(FindAxesOfPoint(rotation, glm::vec2(sine * glm::dvec2(point))));
   }
   const vtkIndirectSeenBox& seen = frame.Seen.Box;
-  const glm::dvec3 middle = seen.IsPart ? seen.Middle : glm::dvec3(0.0);
+  const glm::dvec3 middle = seen.IsPart() ? seen.Middle : glm::dvec3(0.0);
   glm::dvec3 half(0.0);
   glm::dvec2 reach(0.0); // of the part that is seen
   for (const glm::dmat3& to : axes)
@@ -144,7 +144,7 @@ void FitDirectional(
     }
     reach = glm::max(reach, glm::dvec2(seen.FindReach(to[0]), seen.FindReach(to[1])));
   }
-  if (seen.IsPart)
+  if (seen.IsPart())
   {
     half = glm::min(half, glm::dvec3(reach, half.z));
   }

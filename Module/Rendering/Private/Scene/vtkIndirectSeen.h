@@ -55,12 +55,14 @@ struct vtkIndirectInterval
  */
 struct vtkIndirectSeenBox
 {
-  bool IsPart = false;      // false: the eye sees most of the scene, and the box means nothing
   double Share = 1.0;       // of its largest side in the scene's
   glm::dvec3 Middle{ 0.0 }; // along the world's axes, scene units
   glm::dvec3 Half{ 0.0 };
+  // A larger part has its share of all lights and texels, and changes as the camera turns.
   static constexpr double MostOfPart = 0.125;
 
+  /** Returns false if the eye sees most of the scene, and the box means nothing. */
+  bool IsPart() const { return this->Share <= MostOfPart; }
   /**
    * Returns the weight of a squared error of light from a place, for receivers in the box: light
    * falls with the square of the distance, and so does the angle at which a deviation of its place
@@ -71,21 +73,21 @@ struct vtkIndirectSeenBox
     const glm::dvec3 beside =
       glm::max(glm::abs(place - this->Middle) - this->Half, glm::dvec3(0.0));
     const double ratio = glm::dot(beside, beside) / glm::dot(this->Half, this->Half);
-    return this->IsPart ? 1.0 / ((1.0 + ratio) * (1.0 + ratio)) : 1.0;
+    return this->IsPart() ? 1.0 / ((1.0 + ratio) * (1.0 + ratio)) : 1.0;
   }
   /** Returns how far the box reaches from its middle along a unit axis. */
   double FindReach(const glm::dvec3& axis) const { return glm::dot(glm::abs(axis), this->Half); }
   void AppendTo(vtkIndirectKey& key) const
   {
-    if (this->IsPart)
+    if (this->IsPart())
     {
       key.Add("seen part", this->Middle).Add("seen part", this->Half);
     }
   }
   bool operator==(const vtkIndirectSeenBox& other) const
   {
-    return this->IsPart == other.IsPart &&
-      (!this->IsPart || (this->Middle == other.Middle && this->Half == other.Half));
+    return this->IsPart() == other.IsPart() &&
+      (!this->IsPart() || (this->Middle == other.Middle && this->Half == other.Half));
   }
 };
 
@@ -152,9 +154,7 @@ private:
       box.Middle[axis] = held.Middle;
       box.Half[axis] = held.Half;
     }
-    // A larger part has its share of all lights and texels, and changes as the camera turns.
     box.Share = FindArea(box.Half) / FindArea(reach);
-    box.IsPart = box.Share <= vtkIndirectSeenBox::MostOfPart;
     return box;
   }
 };

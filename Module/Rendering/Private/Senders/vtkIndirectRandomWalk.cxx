@@ -265,7 +265,7 @@ vtkIndirectRandomWalk::Emission::Emission(
     this->LowerOfPart = glm::max(at - ReachOfPart * reach, -this->HalfWidths);
     this->UpperOfPart = glm::min(at + ReachOfPart * reach, this->HalfWidths);
     this->IsPart =
-      seen && part.IsPart && glm::all(glm::lessThan(this->LowerOfPart, this->UpperOfPart));
+      seen && part.IsPart() && glm::all(glm::lessThan(this->LowerOfPart, this->UpperOfPart));
     return;
   }
   this->Origin = frame.ToScene(this->Light.PositionWC);
@@ -556,8 +556,8 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
   }
   for (size_t i = 0; i < emitters.size() && perPath > 0.0; ++i)
   {
-    const double share = powers[i] / total * settings.NumberOfVertices /
-      std::max(perPath, 1.0 / MostPathsOfVertex);
+    const double share =
+      powers[i] / total * settings.NumberOfVertices / std::max(perPath, 1.0 / MostPathsOfVertex);
     if (!(share > 0.0))
     {
       continue;

@@ -242,7 +242,7 @@ std::vector<vtkIndirectSenderClusters::Cluster> vtkIndirectSenderClusters::Divid
   }
   // The part that is seen counts as a scene of its own.
   const double nearness =
-    this->Nearness * (this->Seen.IsPart ? 2.0 * glm::length(this->Seen.Half) : 1.0);
+    this->Nearness * (this->Seen.IsPart() ? 2.0 * glm::length(this->Seen.Half) : 1.0);
   const double enough = nearness * nearness * total;
   double width = clusters.front().Width;
   const std::vector<size_t> asked =

@@ -39,8 +39,6 @@ public:
 
   /** Returns the unit directions to the light that all frames together sum. */
   const std::vector<glm::dvec3>& GetLattice() const { return this->Lattice; }
-  /** Returns the unit direction to the light. */
-  const glm::dvec3& GetDirection(size_t number) const { return this->Lattice[number]; }
   /** Returns the directions that have more than a 32nd of all light. */
   const std::vector<Summand>& GetStrong() const { return this->Strong; }
   /** Returns the other directions with light, without the light of the strong ones. */

@@ -355,9 +355,9 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   const size_t size = SumBlock;
   // Neighbours on the sphere go to different places of a block.
   Terms terms = this->MakeTerms(this->Summed, false);
+  const std::vector<glm::dvec3>& lattice = this->Directions.GetLattice();
   std::sort(terms.begin(), terms.end(),
-    [this](const Term& a, const Term& b)
-    { return this->Directions.GetDirection(a.Tile).y > this->Directions.GetDirection(b.Tile).y; });
+    [&lattice](const Term& a, const Term& b) { return lattice[a.Tile].y > lattice[b.Tile].y; });
   std::vector<Terms> classes(static_cast<size_t>(step) * step);
   for (size_t k = 0; k < terms.size(); ++k)
   {
