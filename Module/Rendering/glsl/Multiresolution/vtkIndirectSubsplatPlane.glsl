@@ -36,12 +36,12 @@ bool vtkiIsOnPlane(vtkiTangentPlane plane, vec2 center, vec4 surface)
 }
 
 // Returns a weight that falls with the distance and the turn from the plane, both in units of their
-// tolerances.
+// tolerances; one at a texel without a surface, which has no place and no tolerance.
 float vtkiNearness(vtkiTangentPlane plane, vec2 center, vec4 surface)
 {
   float distance = vtkiPlaneDistance(plane, center, surface);
   vec2 turn = surface.xy - plane.octahedral;
   float apart = distance * distance / (plane.tolerance * plane.tolerance) +
     dot(turn, turn) / (vtkiSameNormal * vtkiSameNormal);
-  return 1.0f / ((1.0f + apart) * (1.0f + apart));
+  return plane.tolerance > 0.0f ? 1.0f / ((1.0f + apart) * (1.0f + apart)) : 1.0f;
 }
