@@ -60,6 +60,8 @@ VTK_INDIRECT_TEST(KeyNamesWhatChanged)
   const vtkIndirectKey key = MakeKey(1.0, 7, nullptr);
   Check("nothing", Join(key.FindChanges(key)) == "");
   Check("the eye", Join(MakeKey(2.0, 7, nullptr).FindChanges(key)) == "eye");
+  Check("only the eye", MakeKey(2.0, 7, nullptr).DiffersOnlyIn({ "pace", "eye" }, key));
+  Check("not only the eye", !MakeKey(2.0, 8, nullptr).DiffersOnlyIn({ "pace", "eye" }, key));
   Check("the eye and the size", Join(MakeKey(2.0, 8, nullptr).FindChanges(key)) == "eye, size");
   vtkIndirectKey longer = key;
   longer.Add("lights", 1.0).Add("eye", 3.0);

@@ -25,17 +25,25 @@ vtkIndirectCreases::vtkIndirectCreases(vtkIndirectResource* owner)
 
 //------------------------------------------------------------------------------
 bool vtkIndirectCreases::Update(
-  const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
+  const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry, int step)
 {
-  if (this->AreFound)
+  if (this->AreFound && this->Step <= step)
   {
     return true;
   }
-  if (!this->Target.Resize(frame.Window, frame.Size[0], frame.Size[1], &geometry.GetTarget()))
+  this->Step = step;
+  const int size[2] = { (frame.Size[0] + step - 1) / step, (frame.Size[1] + step - 1) / step };
+  if (!this->Target.Resize(
+        frame.Window, size[0], size[1], step == 1 ? &geometry.GetTarget() : nullptr))
   {
     return false;
   }
   vtkIndirectFullScreenState kernelState(frame.Window);
+  const auto set = [&](const vtkIndirectProgram& program)
+  {
+    geometry.ActivateReceivers(program, frame);
+    program->SetUniformi("vtkiCreaseStep", step);
+  };
   // The picture does not tell which receivers cast no shadows.
   if (frame.NumberOfOtherReceivers > 0)
   {
@@ -46,10 +54,17 @@ bool vtkIndirectCreases::Update(
   }
   else
   {
-    this->AreFound = this->Kernel.RunOnSurfaces(frame.Window, this->Target,
-      [&](const vtkIndirectProgram& program) { geometry.ActivateReceivers(program, frame); });
+    this->AreFound = step == 1 ? this->Kernel.RunOnSurfaces(frame.Window, this->Target, set)
+                               : this->Kernel.Run(frame.Window, this->Target, set);
   }
   return this->AreFound;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectCreases::Activate(const vtkIndirectProgram& program) const
+{
+  this->Target.Activate(0, program);
+  program->SetUniformi("vtkiCreaseStep", this->Step);
 }
 
 //------------------------------------------------------------------------------

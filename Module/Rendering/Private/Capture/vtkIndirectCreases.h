@@ -17,13 +17,13 @@ public:
   /** Forgets the creases of the last frame. */
   void Begin() { this->AreFound = false; }
   /**
-   * Finds the creases of the frame's surfaces, if no stage has asked for them before. Returns
-   * false, after an error, when OpenGL refuses. A frame with lit props that cast no shadows has no
-   * creases.
+   * Finds the creases of the frame's surfaces at every so many pixels, if no stage has asked for as
+   * many before. Returns false, after an error, when OpenGL refuses. A frame with lit props that
+   * cast no shadows has no creases.
    */
-  bool Update(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
+  bool Update(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry, int step);
   /** Binds the creases, for shaders that include vtkIndirectCrease.glsl. */
-  void Activate(const vtkIndirectProgram& program) const { this->Target.Activate(0, program); }
+  void Activate(const vtkIndirectProgram& program) const;
 
 protected:
   void ReleaseOwn(vtkWindow* window) override;
@@ -32,4 +32,5 @@ private:
   vtkIndirectTarget Target;
   vtkIndirectFullScreenProgram Kernel{ this, "vtkIndirectCreaseFS.glsl" };
   bool AreFound = false;
+  int Step = 1;
 };

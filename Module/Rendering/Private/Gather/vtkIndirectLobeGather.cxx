@@ -42,6 +42,7 @@ bool vtkIndirectLobeGather::Add(
     this->Coarse.Release(window);
     return true;
   }
+  vtkOpenGLState* state = window->GetState();
   const vtkIndirectVisibility& visibility = input.Visibility;
   const int rows = input.Lights->GetNumberOfRows();
   const int rowsPerDraw = FindRowsPerDraw(input);
@@ -67,9 +68,20 @@ bool vtkIndirectLobeGather::Add(
     this->Coarse.Clear();
     this->Coarse.End();
     if (!this->Draw(input, this->AtSamples, "#define VTKI_COARSE\n", this->Coarse, 1.0, step,
-          tolerance, rowsPerDraw) ||
-      !this->Draw(input, this->AtPixels, "#define VTKI_INTERPOLATED\n", output.Irradiance,
-        output.Unit, step, tolerance, rows))
+          tolerance, rowsPerDraw))
+    {
+      return false;
+    }
+    if (output.HasOwn)
+    {
+      state->vtkglEnable(GL_DEPTH_TEST);
+      state->vtkglDepthFunc(GL_LEQUAL);
+      state->vtkglDepthMask(GL_FALSE);
+    }
+    const bool drawn = this->Draw(input, this->AtPixels, "#define VTKI_INTERPOLATED\n",
+      output.Irradiance, output.Unit, step, tolerance, rows);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    if (!drawn)
     {
       return false;
     }

@@ -23,6 +23,8 @@ public:
     vtkIndirectTarget& Irradiance;
     vtkIndirectTarget* Glossy; // null where no receiver is specular
     double Unit;
+    bool HasOwn =
+      false; // pixels of the irradiance with the depth 0 have the light of lobes already
   };
 
   /**

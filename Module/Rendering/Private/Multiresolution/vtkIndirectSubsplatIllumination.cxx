@@ -40,22 +40,23 @@ std::string GetGrouping()
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSubsplatIllumination::Resize(vtkOpenGLRenderWindow* window,
-  const vtkIndirectSubsplatPyramid& pyramid, const vtkIndirectTarget& pixels, bool halfFloats)
+bool vtkIndirectSubsplatIllumination::Resize(
+  vtkOpenGLRenderWindow* window, const vtkIndirectSubsplatPyramid& pyramid, bool halfFloats)
 {
   const size_t count = halfFloats == this->HalfFloats ? pyramid.GetNumberOfLevels() : 0;
   this->Levels.resize(std::min(count, this->Levels.size()));
   this->HalfFloats = halfFloats;
   while (this->Levels.size() < pyramid.GetNumberOfLevels())
   {
-    this->Levels.push_back(
-      std::make_unique<vtkIndirectTarget>(this, halfFloats ? HalfChannels : FloatChannels, false));
+    this->Levels.push_back(std::make_unique<vtkIndirectTarget>(
+      this, halfFloats ? HalfChannels : FloatChannels, this->Levels.empty(), 16));
   }
   for (size_t i = 0; i < this->Levels.size(); ++i)
   {
     vtkIndirectTarget& level = *this->Levels[i];
     const vtkIndirectTarget& surface = pyramid.GetSurface(i + 1);
-    if (!level.Resize(window, surface.GetWidth(), surface.GetHeight(), &pixels))
+    const vtkIndirectTarget* const shared = i > 0 ? this->Levels[0].get() : nullptr;
+    if (!level.Resize(window, surface.GetWidth(), surface.GetHeight(), shared))
     {
       return false;
     }
@@ -101,15 +102,16 @@ void vtkIndirectSubsplatIllumination::Define(const Work& work)
   const std::string images = std::string("#define VTKI_FORMAT ") +
     (this->HalfFloats ? "rgba16f\n" : "rgba32f\n") + lights + GetGrouping() +
     (SharesLooks(work) ? "#define VTKI_SHARES_LOOKS\n" : "");
+  const std::string reprojected = settings.Reprojected ? "#define VTKI_REPROJECTED\n" : "";
   if (work.Number > 0)
   {
-    this->SmoothTexels.SetDefinitions("#define VTKI_TEXELS\n");
+    this->SmoothTexels.SetDefinitions(reprojected + "#define VTKI_TEXELS\n");
     this->OtherTexels[other].SetDefinitions(others);
     this->TexelBlocks[SharesLooks(work)].SetDefinitions(images);
     return;
   }
   this->SmoothPixels.SetDefinitions(
-    detail + (settings.HasCompute ? "#define VTKI_BLOCKS_FOLLOW\n" : ""));
+    detail + reprojected + (settings.HasCompute ? "#define VTKI_BLOCKS_FOLLOW\n" : ""));
   this->OtherPixels[other].SetDefinitions(others + detail);
   this->PixelBlocks[SharesLooks(work)].SetDefinitions(images + "#define VTKI_PIXELS\n" + detail);
 }
@@ -170,7 +172,13 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
   bool done = true;
   work.Target.Begin();
   state->vtkglEnable(GL_DEPTH_TEST);
-  work.Target.ClearDepth();
+  // Pixels that have irradiance of the last frame have the depth 0.
+  const bool kept = work.Number == 0 && work.Set.Reprojected;
+  if (!kept)
+  {
+    state->vtkglDepthMask(GL_TRUE);
+    work.Target.ClearDepth();
+  }
   for (vtkIndirectFullScreenProgram* kernel : { &smooth, &others })
   {
     vtkIndirectProgram program = kernel->Use(window);
@@ -180,10 +188,14 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
       break;
     }
     const bool first = kernel == &smooth;
-    state->vtkglDepthFunc(first ? GL_ALWAYS : GL_LESS);
+    state->vtkglDepthFunc(first && !kept ? GL_ALWAYS : GL_LESS);
     state->vtkglDepthMask(first ? GL_TRUE : GL_FALSE);
     this->SetUniforms(program, work);
     this->ActivateSurface(program, work);
+    if (work.Number > 0 && program->IsUniformUsed("vtkiFinerDeviation"))
+    {
+      work.Pyramid.ActivateDeviation(work.Number, program);
+    }
     coarserSurface.Activate(0, program, "vtkiCoarserSurface");
     coarser.Activate(0, program);
     coarser.Activate(1, program);

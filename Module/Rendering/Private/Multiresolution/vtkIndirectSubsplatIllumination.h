@@ -16,9 +16,9 @@ public:
   using Input = vtkIndirectEstimateInput;
   using Settings = vtkIndirectSubsplatSettings;
 
-  /** Creates or resizes the levels; pixels: the image to fill, whose depth they share. */
-  bool Resize(vtkOpenGLRenderWindow* window, const vtkIndirectSubsplatPyramid& pyramid,
-    const vtkIndirectTarget& pixels, bool halfFloats);
+  /** Creates or resizes the levels. */
+  bool Resize(
+    vtkOpenGLRenderWindow* window, const vtkIndirectSubsplatPyramid& pyramid, bool halfFloats);
 
   /** Illuminates all levels but pixels, coarse to fine. */
   bool FillLevels(const Input& input, const Settings& settings, vtkIndirectSubsplatPyramid& pyramid,

@@ -17,7 +17,8 @@ const vtkIndirectChannels PlaneChannels = {
   { "subsplat.surface", "vtkiLevelSurface", "octahedral normal, depth, state", GL_RGBA32F, "view",
     "scene units" },
   { "subsplat.deviation", "vtkiFinerDeviation",
-    "distance from the mean plane over the width, spread of the normals", GL_RG16F, "-", "-" },
+    "distance from the mean plane over the width, spread of the normals (negative: not needed)",
+    GL_RG16F, "-", "-" },
 };
 const vtkIndirectChannels RangeChannels = {
   { "subsplat.surface", "vtkiLevelSurface", "octahedral normal, depth, state", GL_RGBA32F, "view",
@@ -162,6 +163,10 @@ bool vtkIndirectSubsplatPyramid::BuildLevel(
         this->Probe->Activate(1, program);
       }
       input.Geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
+      if (first && settings.Reprojected)
+      {
+        settings.Reprojected->Activate(0, program, "vtkiReprojected");
+      }
       if (!first)
       {
         const vtkIndirectTarget& finer = *this->Levels[number - 2];
@@ -194,6 +199,7 @@ bool vtkIndirectSubsplatPyramid::Build(
   }
   definitions += settings.DepthRange ? "#define VTKI_DEPTH_RANGE\n" : "";
   definitions += settings.LightingThreshold > 0.0 ? "#define VTKI_VARIATION\n" : "";
+  definitions += settings.Reprojected ? "#define VTKI_REPROJECTED\n" : "";
   this->BuildFinest.SetDefinitions(definitions);
   this->BuildCoarser.SetDefinitions(
     definitions + (settings.Balance ? "#define VTKI_BALANCE\n" : ""));

@@ -32,6 +32,8 @@ struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
   double StorageScale = 1.0;
   bool HasCompute = false; // compute shaders sum lights by lists of split texels
   bool ReportsError = false;
+  /** The image to fill, with irradiance of the last frame, see vtkIndirectReprojection; or null. */
+  const vtkIndirectTarget* Reprojected = nullptr;
 };
 
 class vtkIndirectSubsplatPyramid : public vtkIndirectResource
@@ -50,6 +52,11 @@ public:
   size_t GetNumberOfLevels() const { return this->Levels.size(); }
   /** Returns the octahedral normal, depth and state of level `number`, from 1 on. */
   const vtkIndirectTarget& GetSurface(size_t number) const { return *this->Levels[number - 1]; }
+  /** Activates the distances from the planes of level `number`, and whether texels are needed. */
+  void ActivateDeviation(size_t number, const vtkIndirectProgram& program) const
+  {
+    this->Levels[number - 1]->Activate(1, program);
+  }
   /** Returns the list i: the split texels of level i + 1. */
   vtkIndirectSubsplatList& GetLists() { return this->Lists; }
 

@@ -171,19 +171,48 @@ vtkIndirectSubsplatSettings vtkIndirectSubsplatSum::MakeSettings(const Input& in
 }
 
 //------------------------------------------------------------------------------
+// The guess of SurfaceDetail depends on the eye, and each batch of lights fills an image of its
+// own.
+bool vtkIndirectSubsplatSum::Reprojects(const Input& input, double unit) const
+{
+  return input.EyeMoved && this->IsCoarse(&input.Plan) && this->Set.Settings.SurfaceDetail == 0.0 &&
+    input.Lights->GetNumberOfLights() <= input.Visibility.GetMaximumNumberOfSenders() &&
+    this->Reprojection.Has(input.Frame, unit);
+}
+
+//------------------------------------------------------------------------------
 vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   vtkOpenGLRenderWindow* window = frame.Window;
-  const vtkIndirectSubsplatSettings settings = this->MakeSettings(input);
-  this->SetIrradianceStorage(settings.HalfFloats, 1.0 / settings.StorageScale, true);
+  vtkIndirectSubsplatSettings settings = this->MakeSettings(input);
+  const double unit = 1.0 / settings.StorageScale;
+  this->SetIrradianceStorage(settings.HalfFloats, unit, true);
+  const bool reprojects = this->Reprojects(input, unit);
+  this->IsReprojected = reprojects;
+  if (reprojects)
+  {
+    this->KeepIrradiance();
+  }
   if (!this->Irradiance->Resize(window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input) || !this->Pyramid.Resize(window, frame.Size, settings) ||
-    !this->Illumination.Resize(window, this->Pyramid, *this->Irradiance, settings.HalfFloats))
+    !this->Illumination.Resize(window, this->Pyramid, settings.HalfFloats))
   {
     return {};
   }
   vtkIndirectFullScreenState fullScreenState(window);
+  if (reprojects)
+  {
+    input.Timer.Begin(vtkIndirectStageTimer::Estimate);
+    settings.Reprojected = this->Irradiance.get();
+    const bool drawn =
+      this->Reprojection.Draw(frame, input.Geometry, *this->IrradianceBefore, *this->Irradiance);
+    input.Timer.End(vtkIndirectStageTimer::Estimate);
+    if (!drawn)
+    {
+      return {};
+    }
+  }
 
   this->NumberOfLights = input.Lights->GetNumberOfLights();
   const bool batches = this->NumberOfLights > input.Visibility.GetMaximumNumberOfSenders();
@@ -213,8 +242,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
     input.Timer.Begin(vtkIndirectStageTimer::Upsample);
     done = done &&
       this->Lobes.Add(input,
-        { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr,
-          1.0 / settings.StorageScale },
+        { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr, unit, reprojects },
         settings.PlaneThreshold > 0.0 ? LobeStep : 1, LobeTolerance);
     input.Timer.End(vtkIndirectStageTimer::Upsample);
   }
@@ -224,6 +252,15 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   this->SamplingError = -1.0;
   this->Evaluations = -1;
   if (!done)
+  {
+    return {};
+  }
+  if (!input.Plan.Caching || !this->IsCoarse(&input.Plan) || !input.Plan.Interactive)
+  {
+    this->Reprojection.Release(window);
+    this->IrradianceBefore.reset();
+  }
+  else if (!this->Reprojection.Keep(frame, input.Geometry, unit))
   {
     return {};
   }
@@ -357,6 +394,13 @@ void vtkIndirectSubsplatSum::AddToReport(vtkIndirectReport& report) const
   this->vtkIndirectSum::AddToReport(report);
   report.Modelled.emplace_back("subsplats",
     std::to_string(this->Pyramid.GetNumberOfLevels()) + " levels, by " + this->Renderer);
+  if (this->IsReprojected)
+  {
+    report.Modelled.emplace_back("reprojection",
+      "pixels that show places of the last frame keep the irradiance there; 1 of " +
+        std::to_string(vtkIndirectReprojection::NumberOfStrips) +
+        " strips of the picture is summed anew");
+  }
   if (this->HasGlossy)
   {
     const double pairs = static_cast<double>(report.Size[0]) * report.Size[1] *

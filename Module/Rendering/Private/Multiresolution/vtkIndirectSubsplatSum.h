@@ -9,6 +9,7 @@
 #include "Multiresolution/vtkIndirectSubsplatIllumination.h" // for members
 #include "Multiresolution/vtkIndirectSubsplatView.h"         // for members
 #include "Senders/vtkIndirectLightBlock.h"                   // for members
+#include "Sums/vtkIndirectReprojection.h"                    // for members
 #include "Sums/vtkIndirectSum.h"
 #include "vtkMultiresolutionSplattingPass.h" // for settings
 
@@ -29,6 +30,10 @@ public:
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
 
 protected:
+  int FindReceiverStep(const vtkIndirectPlan& plan) const override
+  {
+    return this->IsCoarse(&plan) ? 1 << this->FindFinestLevel(&plan) : 1;
+  }
   vtkIndirectEstimate Estimate(const Input& input) override;
 
 private:
@@ -43,6 +48,8 @@ private:
   /** Returns the finest level in force; null: the one that is set. */
   int FindFinestLevel(const vtkIndirectPlan* plan) const;
   vtkIndirectSubsplatSettings MakeSettings(const Input& input) const;
+  /** Returns true if the last frame's irradiance holds at places that the eye sees again. */
+  bool Reprojects(const Input& input, double unit) const;
   bool Fill(
     const Input& input, const vtkIndirectSubsplatSettings& settings, vtkIndirectTarget& pixels);
   bool FillInBatches(const Input& input, const vtkIndirectSubsplatSettings& settings);
@@ -53,6 +60,7 @@ private:
   vtkIndirectSubsplatPyramid Pyramid{ this };
   vtkIndirectSubsplatIllumination Illumination{ this };
   vtkIndirectSubsplatView View{ this };
+  vtkIndirectReprojection Reprojection{ this };
   vtkIndirectGlossySubsplats GlossySubsplats{ this };
   vtkIndirectGlossyGather GlossyGather{ this };
   vtkIndirectLobeGather Lobes{ this };
@@ -65,6 +73,7 @@ private:
   double Tolerance = 0.0;
   double SamplingError = -1.0;
   int Evaluations = -1;
+  bool IsReprojected = false;
   int NumberOfLights = 0;
   std::string Renderer;
   bool GlossyIsListed = false;

@@ -116,3 +116,13 @@ std::vector<std::string> vtkIndirectKey::FindChanges(const vtkIndirectKey& befor
   }
   return names;
 }
+
+//------------------------------------------------------------------------------
+bool vtkIndirectKey::DiffersOnlyIn(
+  const std::vector<std::string>& names, const vtkIndirectKey& before) const
+{
+  const std::vector<std::string> changes = this->FindChanges(before);
+  return std::all_of(changes.begin(), changes.end(),
+    [&names](const std::string& change)
+    { return std::find(names.begin(), names.end(), change) != names.end(); });
+}

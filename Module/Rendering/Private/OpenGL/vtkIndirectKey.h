@@ -54,6 +54,8 @@ public:
    * Returns the names of the parts that differ from another key's, each once, in this key's order.
    */
   std::vector<std::string> FindChanges(const vtkIndirectKey& before) const;
+  /** Returns true if no part but those of these names differs from another key's. */
+  bool DiffersOnlyIn(const std::vector<std::string>& names, const vtkIndirectKey& before) const;
 
 private:
   struct Part

@@ -302,6 +302,26 @@ bool vtkIndirectTarget::CopyBoundColor(const int origin[2])
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectTarget::CopyFrom(const vtkIndirectTarget& source, int channel)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->PushFramebufferBindings();
+  source.Framebuffer->Bind(vtkOpenGLFramebufferObject::GetReadMode());
+  source.Framebuffer->ActivateReadBuffer(static_cast<unsigned int>(channel));
+  this->Framebuffer->Bind(vtkOpenGLFramebufferObject::GetDrawMode());
+  this->Framebuffer->ActivateDrawBuffers(1);
+  const int own[2] = { 0, 0 };
+  const bool copied = Blit(state, own, own, this->Width, this->Height, GL_COLOR_BUFFER_BIT);
+  state->PopFramebufferBindings();
+  if (!copied)
+  {
+    vtkErrorWithObjectMacro(
+      this->Window, "OpenGL cannot copy " << source.Channels[channel].Name << "; set Caching off.");
+  }
+  return copied;
+}
+
+//------------------------------------------------------------------------------
 double vtkIndirectTarget::GetDepthStep() const
 {
   switch (this->AllocatedDepth)

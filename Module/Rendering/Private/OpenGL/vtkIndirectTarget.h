@@ -56,6 +56,11 @@ public:
    * Returns false, after an error, if OpenGL refuses.
    */
   bool CopyBoundColor(const int origin[2]);
+  /**
+   * Copies a channel of a target of the same size to the first channel, which may have fewer
+   * components. Returns false, after an error, if OpenGL refuses.
+   */
+  bool CopyFrom(const vtkIndirectTarget& source, int channel);
 
   /** Returns the bytes of a texel of an OpenGL format. */
   static size_t FindBytes(unsigned int internalFormat);

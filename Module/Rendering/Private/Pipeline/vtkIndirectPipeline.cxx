@@ -374,6 +374,10 @@ void vtkIndirectPipeline::UpdatePart(Part& part, const vtkIndirectFrameLight::In
   {
     return;
   }
+  part.EyeMoved = this->Plan.Caching && !part.Key.IsEmpty() &&
+    part.Time == light.GetEstimateTime() && part.Result.State == vtkIndirectEstimate::CONVERGED &&
+    light.IsComplete() &&
+    key.DiffersOnlyIn({ "eye", "pace", "finest level", "windows of light maps" }, part.Key);
   part.Key.Clear();
   if (part.IsNew)
   {
@@ -397,6 +401,7 @@ void vtkIndirectPipeline::SumPart(
   }
   vtkIndirectFrameLight::Input own = input;
   own.Still = part.IsStill;
+  own.EyeMoved = part.EyeMoved;
   part.Result = mapsDrawn ? part.Light->MakeEstimate(own) : vtkIndirectEstimate();
   part.Time = part.Light->GetEstimateTime();
   part.IsThere = part.Result.State != vtkIndirectEstimate::FAILED;

@@ -129,6 +129,7 @@ private:
     bool IsAsked = false;       // the plan needs it
     bool IsNew = false;         // its result is made in this frame
     bool IsStill = false;       // its inputs are those of the last result
+    bool EyeMoved = false;      // its inputs are those of the last result but for the eye
     bool Waits = false;         // it waits for its depth maps
     bool IsThere = false;       // Result is of the last frame
     vtkIndirectEstimate Result;

@@ -472,7 +472,7 @@ vtkIndirectKey vtkIndirectPlan::MakeKey(const vtkIndirectFrame& frame) const
   key.Add("senders", this->Refraction);
   key.Add("visibility", this->Visibility);
   // Moving frames look up fewer maps.
-  key.Add("visibility", this->Interactive && this->Visibility == vtkIndirectVisibilityMaps);
+  key.Add("pace", this->Interactive && this->Visibility == vtkIndirectVisibilityMaps);
   key.Add("bounces", this->NumberOfBounces).Add("bounces", this->SampledBounces);
   key.Add("bounces", this->WalkedBounces).Add("bounces", this->SkyBounces);
   key.Add("bounces", this->AreaLightsBounce).Add("bounces", this->LightsTurn);

@@ -305,7 +305,9 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
     return false;
   }
   vtkIndirectFullScreenState kernelState(frame.Window);
-  bool done = !this->Visible || input.Creases.Update(frame, input.Geometry);
+  // Shadows of strong directions are those of still frames.
+  const int creaseStep = input.Plan.Interactive && this->Directions.GetStrong().empty() ? 2 : 1;
+  bool done = !this->Visible || input.Creases.Update(frame, input.Geometry, creaseStep);
   if (this->Summed.empty())
   {
     this->Irradiance.Begin();

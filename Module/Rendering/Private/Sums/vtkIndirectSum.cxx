@@ -88,7 +88,8 @@ void vtkIndirectSum::AppendTo(vtkIndirectKey& key, const Input&) const
 vtkIndirectEstimate vtkIndirectSum::MakeEstimate(const Input& input)
 {
   this->EstimateTime.Modified();
-  if (input.Visibility.LooksUpMaps() && !input.Creases.Update(input.Frame, input.Geometry))
+  if (input.Visibility.LooksUpMaps() &&
+    !input.Creases.Update(input.Frame, input.Geometry, this->FindReceiverStep(input.Plan)))
   {
     return {};
   }
@@ -148,12 +149,29 @@ void vtkIndirectSum::SetIrradianceStorage(bool half, double unit, bool depth)
   this->IrradianceUnit = unit;
   if (half != this->IrradianceIsHalf || depth != this->IrradianceHasDepth)
   {
-    this->Irradiance =
-      std::make_unique<vtkIndirectTarget>(this, half ? HalfChannels : Channels, depth, 16);
-    this->Glossy =
-      std::make_unique<vtkIndirectTarget>(this, half ? HalfGlossyChannels : GlossyChannels, false);
     this->IrradianceIsHalf = half;
     this->IrradianceHasDepth = depth;
+    this->Irradiance = this->MakeIrradiance();
+    this->IrradianceBefore.reset();
+    this->Glossy =
+      std::make_unique<vtkIndirectTarget>(this, half ? HalfGlossyChannels : GlossyChannels, false);
+  }
+}
+
+//------------------------------------------------------------------------------
+std::unique_ptr<vtkIndirectTarget> vtkIndirectSum::MakeIrradiance()
+{
+  return std::make_unique<vtkIndirectTarget>(
+    this, this->IrradianceIsHalf ? HalfChannels : Channels, this->IrradianceHasDepth, 16);
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectSum::KeepIrradiance()
+{
+  std::swap(this->Irradiance, this->IrradianceBefore);
+  if (!this->Irradiance)
+  {
+    this->Irradiance = this->MakeIrradiance();
   }
 }
 

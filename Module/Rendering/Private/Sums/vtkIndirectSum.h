@@ -83,6 +83,8 @@ public:
   const vtkIndirectTarget& GetIrradiance() const { return *this->Irradiance; }
 
 protected:
+  /** Returns the distance of the nearest receivers that look up maps, in pixels. */
+  virtual int FindReceiverStep(const vtkIndirectPlan&) const { return 1; }
   /** Makes the frame's irradiance; FAILED after an error. */
   virtual vtkIndirectEstimate Estimate(const Input& input) = 0;
 
@@ -98,6 +100,8 @@ protected:
    * SetIrradianceStorage. Returns false, after an error, when OpenGL refuses.
    */
   bool ResizeGlossy(const Input& input);
+  /** Makes the irradiance the one before, in place of an image that another frame may overwrite. */
+  void KeepIrradiance();
   /** Returns the last frame's result, with its current images. */
   vtkIndirectEstimate MakeResult() const;
 
@@ -105,8 +109,11 @@ protected:
   bool HasGlossy = false;
   std::unique_ptr<vtkIndirectTarget> Irradiance;
   std::unique_ptr<vtkIndirectTarget> Glossy;
+  std::unique_ptr<vtkIndirectTarget> IrradianceBefore; // of the last frame, see KeepIrradiance
 
 private:
+  std::unique_ptr<vtkIndirectTarget> MakeIrradiance();
+
   vtkSmartPointer<vtkIndirectContextGuard> Guard;
   double IrradianceUnit = 1.0;
   bool IrradianceIsHalf = false;

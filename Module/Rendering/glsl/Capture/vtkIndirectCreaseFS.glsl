@@ -8,6 +8,8 @@
 #include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectLibCrease.glsl"
 
+uniform int vtkiCreaseStep; // pixels from one whose crease is found to the next
+
 // These are the distances in the image at which the other surface is looked for, in pixels: the
 // least, four times the least and so on, up to half the reach.
 const int VTKI_CREASE_NEAR = 2;
@@ -18,6 +20,11 @@ const int VTKI_CREASE_HALVINGS = 4;
 // This is the least height of another surface over the receiver's plane, over its distance in the
 // image.
 const float VTKI_CREASE_RISE = 0.05f;
+
+ivec2 vtkiCreasePixel()
+{
+  return min(vtkiCreaseStep * ivec2(gl_FragCoord.xy) + vtkiCreaseStep / 2, vtkiSize - 1);
+}
 
 // Returns one of the eight pixels at a distance, kept within the image.
 ivec2 vtkiPixelBeside(ivec2 pixel, int i, int distance)
@@ -52,12 +59,13 @@ bool vtkiIsFlatAround(ivec2 at, ivec2 way, vec3 position, vec3 facet)
 // of its border. offset: from the receiver.
 ivec2 vtkiPixelOf(vtkiReceiver receiver, vec3 offset)
 {
-  vec3 ndc = vec3(2.0f * gl_FragCoord.xy / vec2(vtkiSize) - 1.0f, 1.0f);
+  vec2 center = vec2(vtkiCreasePixel()) + 0.5f;
+  vec3 ndc = vec3(2.0f * center / vec2(vtkiSize) - 1.0f, 1.0f);
   vec2 aside = offset.xy + offset.z * (vtkiRayDirection * ndc).xy;
   float depth = receiver.depth - offset.z;
   vec2 halfSize = vec2(vtkiRayOrigin[0].x + depth * vtkiRayDirection[0].x,
     vtkiRayOrigin[1].y + depth * vtkiRayDirection[1].y);
-  vec2 place = gl_FragCoord.xy + 0.5f * vec2(vtkiSize) * aside / halfSize;
+  vec2 place = center + 0.5f * vec2(vtkiSize) * aside / halfSize;
   vec2 inside = clamp(place, vec2(0.5f), vec2(vtkiSize) - 0.5f);
   vec2 beyond = abs(place - inside);
   return max(beyond.x, beyond.y) > float(VTKI_CREASE_FAR) ? ivec2(-1) : ivec2(inside);
@@ -155,7 +163,7 @@ float vtkiFindExtent(vtkiReceiver receiver, vec3 normal, vec3 offset)
 
 void main()
 {
-  ivec2 pixel = ivec2(gl_FragCoord.xy);
+  ivec2 pixel = vtkiCreasePixel();
   vtkiReceiver receiver;
   bool lit = vtkiFetchReceiver(pixel, receiver);
   float width = vtkiSampleDistance(receiver.depth);

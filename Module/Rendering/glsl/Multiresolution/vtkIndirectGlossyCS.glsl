@@ -142,7 +142,7 @@ void main()
     turn[i] = length(range.xyz);
     bool mixed = turn[i] > vtkiNormalThreshold || deviation > 1.0f;
 #else
-    vec2 spread = texelFetch(vtkiFinerDeviation, inside, 0).xy;
+    vec2 spread = abs(texelFetch(vtkiFinerDeviation, inside, 0).xy);
     float width = vtkiPixelWidth(receiver.depth) * vtkiEdge;
     float deviation = spread.x;
     turn[i] = spread.y;

@@ -2,6 +2,11 @@
 //VTK::Output::Dec
 // Makes the first level of the pyramid from pixels of the geometry buffer.
 #include "vtkIndirectSubsplatJoin.glsl"
+#ifdef VTKI_REPROJECTED
+#include "vtkIndirectLibReprojection.glsl"
+
+uniform sampler2D vtkiReprojected; // irradiance of the last frame
+#endif
 
 #ifndef VTKI_DEPTH_RANGE
 // These are the criteria of a corner: heights over the tangent plane in pixel widths, above
@@ -51,6 +56,15 @@ void main()
     vec3 turn = vtkiSurfaceNormal(surface) - children.normal[0];
     children.split = children.split || (vtkiSurfaceIsLit(surface) && rise > VTKI_LEAST_RISE * width &&
       rise < VTKI_GREATEST_RISE * width && dot(turn, turn) > VTKI_LEAST_TURN * VTKI_LEAST_TURN);
+  }
+#endif
+#ifdef VTKI_REPROJECTED
+  children.needed = false;
+  for (int i = 0; i < 16; ++i)
+  {
+    ivec2 pixel = clamp(2 * texel + ivec2((i & 3) - 1, (i >> 2) - 1), ivec2(0), vtkiSize - 1);
+    children.needed =
+      children.needed || texelFetch(vtkiReprojected, pixel, 0).a == VTKI_REPROJECTED_NONE;
   }
 #endif
   vtkiWriteJoin(children, texel);

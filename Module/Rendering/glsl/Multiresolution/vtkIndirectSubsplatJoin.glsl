@@ -31,6 +31,9 @@ struct vtkiJoin
 #endif
   bool present[4];
   bool split; // the children require it to be split
+#ifdef VTKI_REPROJECTED
+  bool needed; // a pixel of the texel or beside it has no irradiance of the last frame
+#endif
 };
 
 // Returns the number of the pixel at which a texel is evaluated (vtkiSubsplatPixel): the lit one nearest
@@ -57,9 +60,20 @@ int vtkiFindPixel(ivec2 texel, bool mixed, float farthest)
   return nearest;
 }
 
-// Writes the texel: octahedral normal, depth, state; deviation and spread, or the ranges.
+// Returns a spread with the sign that tells whether the texel is needed. Zero gets a sign, too.
+float vtkiCodeSpread(float spread, bool needed)
+{
+  return needed ? spread : -spread - 1.0e-4f;
+}
+
+// Writes the texel: octahedral normal, depth, state; deviation, spread and need, or the ranges.
 void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
 {
+#ifdef VTKI_REPROJECTED
+  bool needed = children.needed;
+#else
+  bool needed = true;
+#endif
   vec3 normal = vec3(0.0f);
   vec3 position = vec3(0.0f);
   float count = 0.0f;
@@ -82,7 +96,7 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   if (count == 0.0f)
   {
     gl_FragData[0] = vec4(0.0f, 0.0f, 0.0f, VTKI_SUBSPLAT_EMPTY);
-    gl_FragData[1] = vec4(0.0f);
+    gl_FragData[1] = vec4(0.0f, vtkiCodeSpread(0.0f, needed), 0.0f, 0.0f);
 #ifdef VTKI_DEPTH_RANGE
     gl_FragData[2] = vec4(0.0f);
 #endif
@@ -128,7 +142,7 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
   }
   bool mixed = deviation > vtkiPlaneThreshold || spread > vtkiNormalThreshold;
   bool everywhere = vtkiLast || vtkiPlaneThreshold <= 0.0f || vtkiNormalThreshold <= 0.0f;
-  gl_FragData[1] = vec4(min(deviation, 60000.0f), spread, 0.0f, 0.0f);
+  gl_FragData[1] = vec4(min(deviation, 60000.0f), vtkiCodeSpread(spread, needed), 0.0f, 0.0f);
 #endif
   vec2 center = vtkiSubsplatCenter(vec2(texel), vtkiEdge, vec2(vtkiSize));
   vec3 origin = vtkiRayOrigin * vec3(center, 1.0f);
@@ -190,7 +204,7 @@ void vtkiWriteJoin(vtkiJoin children, ivec2 texel)
     state = vtkiSplits ? (mixed || everywhere ? VTKI_SUBSPLAT_SPLIT : VTKI_SUBSPLAT_PARTED)
                        : (mixed ? VTKI_SUBSPLAT_MIXED : VTKI_SUBSPLAT_WHOLE);
 #ifdef VTKI_LIST_SPLIT
-    if (vtkiSplits)
+    if (vtkiSplits && needed)
     {
       vtkiAppend(texel);
     }

@@ -17,6 +17,9 @@ void main()
   ivec2 texel = ivec2(gl_FragCoord.xy);
   vtkiJoin children;
   children.split = false;
+#ifdef VTKI_REPROJECTED
+  children.needed = false;
+#endif
   for (int i = 0; i < 4; ++i)
   {
     ivec2 at = 2 * texel + ivec2(i & 1, i >> 1);
@@ -31,7 +34,10 @@ void main()
 #else
     vec2 deviation = texelFetch(vtkiFinerDeviation, inside, 0).xy;
     children.deviation[i] = deviation.x;
-    children.spread[i] = deviation.y;
+    children.spread[i] = abs(deviation.y);
+#ifdef VTKI_REPROJECTED
+    children.needed = children.needed || deviation.y >= 0.0f;
+#endif
 #endif
     children.present[i] = surface.w != VTKI_SUBSPLAT_EMPTY && at == inside;
     children.split = children.split || (vtkiSubsplatIsSplit(surface.w) && at == inside);
@@ -45,6 +51,13 @@ void main()
     vec2 at = vec2(2 * texel + ivec2(i & 3, i >> 2)) - 0.5f;
     children.split = children.split ||
       vtkiSubsplatIsSplit(textureLod(vtkiFinerSurface, at / vec2(vtkiFinerSize), 0.0f).w);
+  }
+#endif
+#ifdef VTKI_REPROJECTED
+  for (int i = 0; i < (vtkiSplits ? 0 : 16); ++i)
+  {
+    ivec2 at = clamp(2 * texel + ivec2((i & 3) - 1, (i >> 2) - 1), ivec2(0), vtkiFinerSize - 1);
+    children.needed = children.needed || texelFetch(vtkiFinerDeviation, at, 0).y >= 0.0f;
   }
 #endif
   vtkiWriteJoin(children, texel);

@@ -6,6 +6,9 @@
 // normals.
 #include "vtkIndirectSubsplat.glsl"
 
+#if defined(VTKI_REPROJECTED) && defined(VTKI_TEXELS)
+uniform sampler2D vtkiFinerDeviation; // of this level
+#endif
 #ifndef VTKI_TEXELS
 uniform sampler2D vtkiSurface;
 uniform bool vtkiCorrectNormals;
@@ -28,12 +31,24 @@ void main()
   // The neighbours are within the region known to be smooth.
   gl_FragData[0] = vec4(irradiance.rgb, VTKI_ILLUMINATION_SMOOTH);
   gl_FragData[1] = vec4(vectorIrradiance.xyz, 0.0f);
+#ifdef VTKI_REPROJECTED
+  bool needed = texelFetch(vtkiFinerDeviation, ivec2(gl_FragCoord.xy), 0).y >= 0.0f;
+  gl_FragData[0] = needed ? gl_FragData[0] : vec4(0.0f, 0.0f, 0.0f, VTKI_ILLUMINATION_NONE);
+  gl_FragData[1] = needed ? gl_FragData[1] : vec4(0.0f);
+  inside = inside || !needed;
+#endif
   if (!inside)
   {
     discard;
   }
 #else
-  bool inside = irradiance.a > 0.5f && vectorIrradiance.a < 0.5f;
+#ifdef VTKI_REPROJECTED
+  // Samples beside the pixel's own may have been left out.
+  const float least = 0.97f;
+#else
+  const float least = 0.5f;
+#endif
+  bool inside = irradiance.a > least && vectorIrradiance.a < 0.5f;
   vec4 surface = textureLod(vtkiSurface, gl_FragCoord.xy / vec2(vtkiSize), 0.0f);
   bool lit = vtkiSurfaceIsLit(surface);
   vec3 normal = vtkiSurfaceNormal(surface);
