@@ -374,7 +374,7 @@ void vtkIndirectPipeline::UpdatePart(Part& part, const vtkIndirectFrameLight::In
   {
     return;
   }
-  part.EyeMoved = this->Plan.Caching && !part.Key.IsEmpty() &&
+  part.EyeMoved = this->Plan.Caching && this->Plan.Interactive && !part.Key.IsEmpty() &&
     part.Time == light.GetEstimateTime() && part.Result.State == vtkIndirectEstimate::CONVERGED &&
     light.IsComplete() &&
     key.DiffersOnlyIn({ "eye", "pace", "finest level", "windows of light maps" }, part.Key);
