@@ -55,6 +55,12 @@ class Reprojection(unittest.TestCase):
             self.window.SetDesiredUpdateRate(rate)
             self.window.Render()
 
+    def step(self, renderer: vtkRenderer) -> bool:
+        """Turn the camera and draw a moving frame; return whether it keeps irradiance."""
+        turn(renderer, 1)
+        self.draw(MOVING)
+        return is_reprojected(renderer)
+
     def draw_fresh(self, renderer: vtkRenderer) -> np.ndarray:
         """Return the irradiance of a moving frame whose last frame was of another scene."""
         light = renderer.GetLights().GetItemAsObject(0)
@@ -68,14 +74,10 @@ class Reprojection(unittest.TestCase):
     def check(self, renderer: vtkRenderer) -> None:
         """Turn the camera; compare places and errors with a frame that keeps nothing."""
         self.draw(STILL)
-        turn(renderer, 1)
-        self.draw(MOVING)
-        self.assertFalse(is_reprojected(renderer))
+        self.assertFalse(self.step(renderer))
         counts = []
         for _ in range(20):
-            turn(renderer, 1)
-            self.draw(MOVING)
-            self.assertTrue(is_reprojected(renderer))
+            self.assertTrue(self.step(renderer))
             counts.append(sums(renderer))
         kept = irradiance(renderer)
         fresh = self.draw_fresh(renderer)
@@ -117,32 +119,22 @@ class Reprojection(unittest.TestCase):
             with self.subTest(change.__name__):
                 renderer = self.add_room()
                 self.draw(STILL, MOVING)
-                turn(renderer, 1)
-                self.draw(MOVING)
-                self.assertTrue(is_reprojected(renderer))
-                turn(renderer, 1)
+                self.assertTrue(self.step(renderer))
                 change(renderer)
-                self.draw(MOVING)
-                self.assertFalse(is_reprojected(renderer))
-                turn(renderer, 1)
-                self.draw(MOVING)
+                self.assertFalse(self.step(renderer))
                 self.window.RemoveRenderer(renderer)
 
     def test_without_caching(self) -> None:
         renderer = self.add_room()
         renderer.GetPass().SetCaching(False)
         self.draw(STILL, MOVING)
-        turn(renderer, 1)
-        self.draw(MOVING)
-        self.assertFalse(is_reprojected(renderer))
+        self.assertFalse(self.step(renderer))
 
     def test_a_new_size(self) -> None:
         renderer = self.add_room()
         self.draw(STILL, MOVING)
         self.window.SetSize(SIZE[0] - 8, SIZE[1])
-        turn(renderer, 1)
-        self.draw(MOVING)
-        self.assertFalse(is_reprojected(renderer))
+        self.assertFalse(self.step(renderer))
 
     def test_still_frames_keep_nothing(self) -> None:
         renderer = self.add_room()

@@ -23,8 +23,7 @@ public:
     vtkIndirectTarget& Irradiance;
     vtkIndirectTarget* Glossy; // null where no receiver is specular
     double Unit;
-    bool HasOwn =
-      false; // pixels of the irradiance with the depth 0 have the light of lobes already
+    bool HasOwn = false; // pixels of depth 0 in Irradiance have the light of lobes already
   };
 
   /**

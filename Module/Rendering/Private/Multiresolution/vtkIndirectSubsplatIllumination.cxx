@@ -176,7 +176,6 @@ bool vtkIndirectSubsplatIllumination::Interpolate(const Work& work)
   const bool kept = work.Number == 0 && work.Set.Reprojected;
   if (!kept)
   {
-    state->vtkglDepthMask(GL_TRUE);
     work.Target.ClearDepth();
   }
   for (vtkIndirectFullScreenProgram* kernel : { &smooth, &others })

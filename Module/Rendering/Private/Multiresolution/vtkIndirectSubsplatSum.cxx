@@ -188,9 +188,8 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   vtkIndirectSubsplatSettings settings = this->MakeSettings(input);
   const double unit = 1.0 / settings.StorageScale;
   this->SetIrradianceStorage(settings.HalfFloats, unit, true);
-  const bool reprojects = this->Reprojects(input, unit);
-  this->IsReprojected = reprojects;
-  if (reprojects)
+  this->IsReprojected = this->Reprojects(input, unit);
+  if (this->IsReprojected)
   {
     this->KeepIrradiance();
   }
@@ -201,7 +200,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
     return {};
   }
   vtkIndirectFullScreenState fullScreenState(window);
-  if (reprojects)
+  if (this->IsReprojected)
   {
     input.Timer.Begin(vtkIndirectStageTimer::Estimate);
     settings.Reprojected = this->Irradiance.get();
@@ -242,7 +241,8 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
     input.Timer.Begin(vtkIndirectStageTimer::Upsample);
     done = done &&
       this->Lobes.Add(input,
-        { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr, unit, reprojects },
+        { *this->Irradiance, this->HasGlossy ? this->Glossy.get() : nullptr, unit,
+          this->IsReprojected },
         settings.PlaneThreshold > 0.0 ? LobeStep : 1, LobeTolerance);
     input.Timer.End(vtkIndirectStageTimer::Upsample);
   }
