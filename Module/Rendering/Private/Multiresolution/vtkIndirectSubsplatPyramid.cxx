@@ -96,7 +96,8 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
 {
   const vtkIndirectFrame& frame = input.Frame;
   const int size[2] = { this->Probe->GetWidth(), this->Probe->GetHeight() };
-  this->ProbeLights.SetDefinitions(lights.GetDefinitions() + input.Visibility.GetDefinitions());
+  this->ProbeLights.SetDefinitions(lights.GetDefinitions() + input.Visibility.GetDefinitions() +
+    (settings.Reprojected ? "#define VTKI_REPROJECTED\n" : ""));
   for (const bool probe : { true, false })
   {
     vtkIndirectFullScreenProgram& kernel = probe ? this->ProbeLights : this->MeasureVariation;
@@ -114,6 +115,10 @@ bool vtkIndirectSubsplatPyramid::ProbeLighting(
         {
           lights.Activate(program);
           input.Visibility.Activate(frame.Window, program, input.Creases);
+          if (settings.Reprojected)
+          {
+            settings.Reprojected->Activate(0, program, "vtkiReprojected");
+          }
         }
         else
         {

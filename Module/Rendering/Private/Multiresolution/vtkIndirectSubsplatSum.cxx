@@ -255,7 +255,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     return {};
   }
-  if (!input.Plan.Caching || !this->IsCoarse(&input.Plan) || !input.Plan.Interactive)
+  if (!input.EyeMoved || !this->IsCoarse(&input.Plan))
   {
     this->Reprojection.Release(window);
     this->IrradianceBefore.reset();
@@ -396,10 +396,7 @@ void vtkIndirectSubsplatSum::AddToReport(vtkIndirectReport& report) const
     std::to_string(this->Pyramid.GetNumberOfLevels()) + " levels, by " + this->Renderer);
   if (this->IsReprojected)
   {
-    report.Modelled.emplace_back("reprojection",
-      "pixels that show places of the last frame keep the irradiance there; 1 of " +
-        std::to_string(vtkIndirectReprojection::NumberOfStrips) +
-        " strips of the picture is summed anew");
+    report.Modelled.emplace_back("reprojection", vtkIndirectReprojection::Meaning());
   }
   if (this->HasGlossy)
   {

@@ -32,8 +32,8 @@ constexpr int Rows = 64;
 const char* const Titles[] = { "Scene", "Soft", "Full", "Gentle", "Studio" };
 const char* const Names[] = { "scene", "soft", "full", "gentle", "studio" };
 
-// Returns the camera's axes in world coordinates, without scaling and shear: right, up, to the
-// viewer. Returns the world's axes if the camera has none.
+// Returns the camera's axes in world coordinates, rounded, without scaling and shear: right, up, to
+// the viewer. Returns the world's axes if the camera has none.
 glm::dmat3 FindAxes(vtkCamera* camera)
 {
   const glm::dmat3 axes =
@@ -41,7 +41,9 @@ glm::dmat3 FindAxes(vtkCamera* camera)
   const glm::dvec3 up = glm::normalize(axes[1]);
   const glm::dvec3 right = glm::normalize(axes[0] - glm::dot(axes[0], up) * up);
   const glm::dvec3 back = glm::cross(right, up);
-  return std::isfinite(glm::dot(back, back)) ? glm::dmat3(right, up, back) : glm::dmat3(1.0);
+  const auto round = vtkIndirectFrame::RoundDirection;
+  return std::isfinite(glm::dot(back, back)) ? glm::dmat3(round(right), round(up), round(back))
+                                             : glm::dmat3(1.0);
 }
 
 bool HasColorsOfData(vtkMapper* mapper)

@@ -319,6 +319,13 @@ bool vtkIndirectFrame::AddCatcher(vtkProp* prop, const vtkIndirectPropKind& kind
 }
 
 //------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectFrame::RoundDirection(const glm::dvec3& direction)
+{
+  constexpr double steps = 1 << 26; // finer than a float
+  return glm::normalize(glm::round(direction * steps));
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectFrame::CollectLights()
 {
   vtkLightCollection* lights = this->Renderer->GetLights();
@@ -341,10 +348,18 @@ void vtkIndirectFrame::CollectLights()
     double focal[3];
     light->GetTransformedPosition(position);
     light->GetTransformedFocalPoint(focal);
-    entry.PositionWC = glm::dvec3(position[0], position[1], position[2]);
-    const glm::dvec3 direction = glm::dvec3(focal[0], focal[1], focal[2]) - entry.PositionWC;
+    const glm::dvec3 place(position[0], position[1], position[2]);
+    const glm::dvec3 direction = glm::dvec3(focal[0], focal[1], focal[2]) - place;
     const double length = glm::length(direction);
     entry.DirectionWC = length > 0.0 ? direction / length : glm::dvec3(0.0, 0.0, -1.0);
+    if (entry.Positional)
+    {
+      entry.PositionWC = place;
+    }
+    else if (entry.FollowsCamera || this->ReplacedLights)
+    {
+      entry.DirectionWC = RoundDirection(entry.DirectionWC);
+    }
     const double* color = light->GetDiffuseColor();
     entry.Color = light->GetIntensity() * glm::dvec3(color[0], color[1], color[2]);
     const double* attenuation = light->GetAttenuationValues();
@@ -360,7 +375,7 @@ void vtkIndirectFrame::CollectLights()
     entry.Fill = fill >= 1.0;
     // Surfaces reflect only the share of a light that casts shadows.
     entry.Color *= entry.Fill ? 1.0 : 1.0 - fill;
-    const glm::dvec3 sums = entry.PositionWC + entry.Attenuation + entry.Color;
+    const glm::dvec3 sums = place + entry.Attenuation + entry.Color;
     if (!std::isfinite(length + glm::dot(sums, glm::dvec3(1.0)) + entry.ConeAngle + entry.Exponent))
     {
       const int index = entry.Index;

@@ -41,7 +41,7 @@ struct vtkIndirectLight
    */
   int Index = 0;
   bool Positional = false;
-  glm::dvec3 PositionWC{ 0.0 };
+  glm::dvec3 PositionWC{ 0.0 };             // 0 unless it is positional
   glm::dvec3 DirectionWC{ 0.0, 0.0, -1.0 }; // unit direction in which the light travels
   glm::dvec3 Color{ 0.0 };                  // colour times intensity
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };  // c, l, q for world units
@@ -220,6 +220,11 @@ struct vtkIndirectFrame
   std::vector<std::pair<std::string, std::string>> DescribeLeftOut() const;
 
   static glm::dmat4 ToGLM(vtkMatrix4x4* matrix);
+  /**
+   * Rounds a unit vector of the camera: it is the same in each frame while the camera moves without
+   * turning, and so is the light of what follows the camera.
+   */
+  static glm::dvec3 RoundDirection(const glm::dvec3& direction);
   /**
    * Returns the length of a box's diagonal, 0 for an empty box. VTK's own function returns infinity
    * for an empty box, and ends the program if VTK was built with assertions.

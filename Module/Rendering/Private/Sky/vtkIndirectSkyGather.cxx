@@ -56,6 +56,9 @@ constexpr int SumBlock = 128;
 // further directions are skipped.
 constexpr int OwnBlock = 64;
 constexpr int StrongTexels = 1024;
+// Moving frames find creases at every so many pixels: on five scenes relMSE to still frames rises
+// by less than a hundredth, with a sun or without, and by 0.07 of 0.0018 at a statue.
+constexpr int MovingCreases = 4;
 }
 
 //------------------------------------------------------------------------------
@@ -160,8 +163,8 @@ void vtkIndirectSkyGather::AppendTo(vtkIndirectKey& key, const Input& input) con
 {
   // Casters that come to rest get tighter boxes, and the maps other fits.
   input.Frame.AppendFitsTo(key);
-  key.Add("sky", input.Environment).Add("sky", input.Plan.NumberOfSkyDirections);
-  key.Add("sky", input.Plan.NumberOfStillSkyDirections).Add("sky", input.Plan.SkyBlock);
+  key.Add("sky", input.Environment).Add("pace", input.Plan.NumberOfSkyDirections);
+  key.Add("sky", input.Plan.NumberOfStillSkyDirections).Add("pace", input.Plan.SkyBlock);
 }
 
 //------------------------------------------------------------------------------
@@ -275,8 +278,7 @@ bool vtkIndirectSkyGather::UpdateOpenSky(const Input& input)
 //------------------------------------------------------------------------------
 vtkIndirectEstimate vtkIndirectSkyGather::MakeEstimate(const Input& input)
 {
-  const bool still = input.Still && input.Plan.Caching &&
-    !this->Groups[Strong].Atlas.HasChanged() && !this->Groups[Others].Atlas.HasChanged();
+  const bool still = input.Still && input.Plan.Caching && !this->MapsHaveChanged();
   this->ChooseSummed();
   input.Timer.Begin(vtkIndirectStageTimer::Sky);
   const bool summed = still || this->SumAll(input);
@@ -299,15 +301,20 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   const auto resize = [&](vtkIndirectTarget& image)
   { return image.Resize(frame.Window, frame.Size[0], frame.Size[1], &input.Geometry.GetTarget()); };
   if (!resize(this->Irradiance) || !this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) ||
-    (step > 1 && !resize(this->Rows)) || !this->Smoothing.Resize(frame, input.Geometry) ||
-    !this->UpdateOpenSky(input))
+    (step > 1 && !resize(this->Rows)) || !this->UpdateOpenSky(input))
   {
     return false;
   }
   vtkIndirectFullScreenState kernelState(frame.Window);
-  // Shadows of strong directions are those of still frames.
-  const int creaseStep = input.Plan.Interactive && this->Directions.GetStrong().empty() ? 2 : 1;
+  const int creaseStep = input.Plan.Interactive ? MovingCreases : 1;
   bool done = !this->Visible || input.Creases.Update(frame, input.Geometry, creaseStep);
+  const vtkIndirectSkyReprojection::Input kept = { frame, input.Geometry, step };
+  this->Keeps = step > 1 && input.EyeMoved && !this->MapsHaveChanged() && this->Visible &&
+    !this->Summed.empty();
+  if (!this->Keeps)
+  {
+    this->Reprojection.Release(frame.Window);
+  }
   if (this->Summed.empty())
   {
     this->Irradiance.Begin();
@@ -316,8 +323,12 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   }
   else
   {
-    done = done && this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
-      this->FilterColumns(input) && this->Smooth(input);
+    done = done && (!this->Keeps || this->Reprojection.Begin(kept)) &&
+      this->Smoothing.Resize(
+        frame, this->Keeps ? this->Reprojection.GetShares() : input.Geometry.GetTarget()) &&
+      this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
+      this->FilterColumns(input) && this->Smooth(input) &&
+      (!this->Keeps || this->Reprojection.Keep(kept));
   }
   done = done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
   if (!input.Plan.Catches)
@@ -333,6 +344,12 @@ std::string vtkIndirectSkyGather::GetDefinitions(int block, int step) const
 {
   return std::string(this->Visible ? "#define VTKI_VISIBILITY\n" : "") + "#define VTKI_SKY_BLOCK " +
     std::to_string(block) + "\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n";
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::MapsHaveChanged() const
+{
+  return this->Groups[Strong].Atlas.HasChanged() || this->Groups[Others].Atlas.HasChanged();
 }
 
 //------------------------------------------------------------------------------
@@ -370,8 +387,8 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
     [&](const Terms& list) { return list.empty() || list.size() > size; });
 
   vtkIndirectFullScreenProgram& kernel = this->SumKernels[step > 1];
-  kernel.SetDefinitions(
-    this->GetDefinitions(SumBlock, step) + (step > 1 ? "" : "#define VTKI_SKY_PIXELS 4\n"));
+  kernel.SetDefinitions(this->GetDefinitions(SumBlock, step) +
+    (step > 1 ? this->Reprojection.GetDefinition() : "#define VTKI_SKY_PIXELS 4\n"));
   vtkIndirectProgram program = kernel.Use(input.Frame.Window);
   if (!program)
   {
@@ -385,6 +402,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   }
   const vtkIndirectAddition addition(input.Frame.Window, adds);
   this->Activate(input, &group, program);
+  this->Reprojection.Activate(program);
   for (int i = 0; i < step * step; ++i)
   {
     const int place[2] = { i % step, i / step };
@@ -412,14 +430,15 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
   const int step = input.Plan.SkyBlock;
   const vtkIndirectTarget& sums = this->Sums[1];
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
-  this->RowKernel.SetDefinitions(
-    "#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n");
+  this->RowKernel.SetDefinitions("#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " +
+    std::to_string(step) + "\n" + this->Reprojection.GetDefinition());
   return this->RowKernel.RunOnSurfaces(input.Frame.Window, this->Rows,
     [&](const vtkIndirectProgram& program)
     {
       this->Activate(input, nullptr, program);
       sums.Activate(0, program);
       sums.Activate(1, program);
+      this->Reprojection.Activate(program);
       program->SetUniform2i("vtkiSkyPart", part);
     });
 }
@@ -432,25 +451,27 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
   kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
-  return kernel.RunOnSurfaces(input.Frame.Window, this->Smoothing.GetShares(),
-    [&](const vtkIndirectProgram& program)
+  const auto set = [&](const vtkIndirectProgram& program)
+  {
+    this->Activate(input, group, program);
+    for (int i = 0; i < sums.GetNumberOfChannels(); ++i)
     {
-      this->Activate(input, group, program);
-      for (int i = 0; i < sums.GetNumberOfChannels(); ++i)
-      {
-        sums.Activate(i, program);
-      }
-      this->OpenSky.Activate(0, program);
-      vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
-      vtkIndirectSetUniform(program, "vtkiSummedFlux", this->SummedFlux);
-      program->SetUniformf("vtkiSkyReach",
-        static_cast<float>(vtkIndirectSkySmoothing::Parts * this->FindPartAngle(input)));
-      if (moving)
-      {
-        const Terms terms = this->MakeTerms(this->Summed, false);
-        this->SetBlock(input, program, *group, terms, 0, OwnBlock);
-      }
-    });
+      sums.Activate(i, program);
+    }
+    this->OpenSky.Activate(0, program);
+    vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
+    vtkIndirectSetUniform(program, "vtkiSummedFlux", this->SummedFlux);
+    program->SetUniformf("vtkiSkyReach",
+      static_cast<float>(vtkIndirectSkySmoothing::Parts * this->FindPartAngle(input)));
+    if (moving)
+    {
+      const Terms terms = this->MakeTerms(this->Summed, false);
+      this->SetBlock(input, program, *group, terms, 0, OwnBlock);
+    }
+  };
+  return this->Keeps
+    ? this->Reprojection.DrawFresh(input.Frame.Window, kernel, this->Reprojection.GetShares(), set)
+    : kernel.RunOnSurfaces(input.Frame.Window, this->Smoothing.GetShares(), set);
 }
 
 //------------------------------------------------------------------------------
@@ -467,8 +488,9 @@ double vtkIndirectSkyGather::FindPartAngle(const Input& input) const
 //------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::Smooth(const Input& input)
 {
-  return this->Smoothing.Run({ input.Frame, input.Geometry, this->FindPartAngle(input),
-                               this->Visible, input.Plan.SkyBlock > 1 },
+  return this->Smoothing.Run(
+    { input.Frame, input.Geometry, this->FindPartAngle(input), this->Visible,
+      input.Plan.SkyBlock > 1, this->Keeps ? &this->Reprojection : nullptr },
     this->Irradiance,
     [this](const vtkIndirectProgram& program)
     {
@@ -551,6 +573,10 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
                          : "";
   what += counts[Strong] > 0 ? "; strong ones: " + std::to_string(counts[Strong]) : "";
   report.Modelled.emplace_back("light from the sky", what + maps);
+  if (this->Reprojection.IsReprojected())
+  {
+    report.Modelled.emplace_back("reprojection of the sky", vtkIndirectReprojection::Meaning());
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -29,6 +29,7 @@
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
 #include "OpenGL/vtkIndirectUniformBlock.h"      // for a member
 #include "Sky/vtkIndirectSkyDirections.h"        // for a member
+#include "Sky/vtkIndirectSkyReprojection.h"      // for a member
 #include "Sky/vtkIndirectSkySmoothing.h"         // for a member
 #include "Sums/vtkIndirectFrameLight.h"          // for the base class
 
@@ -91,6 +92,7 @@ private:
   bool UpdateOpenSky(const Input& input);
   bool SumAll(const Input& input);
   std::string GetDefinitions(int block, int step) const;
+  bool MapsHaveChanged() const;
   void Activate(const Input& input, const Group* group, const vtkIndirectProgram& program);
   bool SumOthers(const Input& input);
   bool FilterRows(const Input& input);
@@ -105,6 +107,7 @@ private:
   vtkIndirectTarget Sums[2]; // sums of pixels' own directions; of still and moving frames
   vtkIndirectTarget Rows;    // sums over neighbours in the row
   vtkIndirectSkySmoothing Smoothing{ this };
+  vtkIndirectSkyReprojection Reprojection{ this };
   vtkIndirectTarget OpenSky;
   vtkIndirectTarget Open;       // Irradiance if nothing hid the sky, for surfaces that catch light
   vtkIndirectTarget OpenColors; // colours of the directions in OpenSky
@@ -136,5 +139,6 @@ private:
   glm::vec3 OpenFlux{ 0.0f };
   glm::vec3 SummedFlux{ 0.0f };
   bool Visible = false;
-  int Step = 1; // edge, in the last frame, of the blocks of pixels that share directions
+  bool Keeps = false; // the last frame's shares are kept for the next frame
+  int Step = 1;       // edge, in the last frame, of the blocks of pixels that share directions
 };

@@ -5,14 +5,15 @@
 
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Scene/vtkIndirectFrame.h"
+#include "Sky/vtkIndirectSkyReprojection.h"
 
-namespace
-{
-const vtkIndirectChannels ShareChannels = {
+const vtkIndirectChannels vtkIndirectSkySmoothing::ShareChannels = {
   { "sky.shares", "vtkiSkyShares", "visible shares of the sky; how far these are smoothed",
     GL_RGBA32F, "-", "1; scene units" },
 };
 
+namespace
+{
 // Largest radius of the smoothing over the picture's height.
 constexpr float MostSmoothed = 1.0f / 8.0f;
 // Neighbours to either side, along rows and along columns, and those that fill the gaps between.
@@ -27,60 +28,76 @@ vtkIndirectSkySmoothing::vtkIndirectSkySmoothing(vtkIndirectResource* owner)
   : vtkIndirectResource(owner)
   , Shares{ { this, ShareChannels, false }, { this, ShareChannels, false } }
 {
-  this->Rows.SetDefinitions("#define VTKI_SKY_ROWS\n");
+  this->OwnKernels.Rows.SetDefinitions("#define VTKI_SKY_ROWS\n");
+  this->KeptKernels.Rows.SetDefinitions("#define VTKI_SKY_ROWS\n#define VTKI_SKY_KEPT\n");
+  this->KeptKernels.Columns.SetDefinitions("#define VTKI_SKY_KEPT\n");
   this->Last.SetDefinitions("#define VTKI_SKY_LAST\n");
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkySmoothing::Resize(
-  const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry)
+bool vtkIndirectSkySmoothing::Resize(const vtkIndirectFrame& frame, const vtkIndirectTarget& depth)
 {
   bool done = true;
   for (vtkIndirectTarget& shares : this->Shares)
   {
-    done = done && shares.Resize(frame.Window, frame.Size[0], frame.Size[1], &geometry.GetTarget());
+    done = done && shares.Resize(frame.Window, frame.Size[0], frame.Size[1], &depth);
   }
   return done;
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkySmoothing::Run(const Input& input, vtkIndirectTarget& irradiance,
-  const std::function<void(const vtkIndirectProgram&)>& setLast)
+bool vtkIndirectSkySmoothing::Draw(const Input& input, const Pass& pass,
+  vtkIndirectFullScreenProgram& kernel, const vtkIndirectTarget& from, vtkIndirectTarget& to)
+{
+  const auto set = [&](const vtkIndirectProgram& program)
+  {
+    const float angle = static_cast<float>(input.PartAngle);
+    input.Geometry.ActivateReceivers(program, input.Frame);
+    from.Activate(0, program);
+    if (input.Kept)
+    {
+      input.Kept->GetShares().Activate(0, program, "vtkiSkyKept");
+    }
+    program->SetUniformi("vtkiSkyNeighbors", pass.Neighbors);
+    program->SetUniformf("vtkiSkyScale", pass.Scale);
+    program->SetUniformf("vtkiSkyTurn", 1.0f / (angle * angle));
+    program->SetUniformf("vtkiSkyMost", MostSmoothed * static_cast<float>(input.Frame.Size[1]));
+    if (pass.SetLast)
+    {
+      pass.SetLast(program);
+    }
+  };
+  return input.Kept && !pass.SetLast ? input.Kept->DrawFresh(input.Frame.Window, kernel, to, set)
+                                     : kernel.RunOnSurfaces(input.Frame.Window, to, set);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkySmoothing::Run(
+  const Input& input, vtkIndirectTarget& irradiance, const SetUniforms& setLast)
 {
   const int neighbors = input.Moving ? MovingNeighbors : StillNeighbors;
-  const float angle = static_cast<float>(input.PartAngle);
-  const vtkIndirectTarget* from = &this->Shares[0];
-  for (int k = input.Visibility ? 0 : Steps - 1; k < Steps; ++k)
+  const Pass passes[2] = { { neighbors, 1.0f },
+    { NeighborsBetween, 1.0f / static_cast<float>(neighbors + 1) } };
+  Kernels& kernels = input.Kept ? this->KeptKernels : this->OwnKernels;
+  vtkIndirectTarget* from = input.Kept ? &input.Kept->GetShares() : &this->Shares[0];
+  bool done = true;
+  for (int k = 0; done && input.Visibility && k < Steps; ++k)
   {
-    const bool last = k == Steps - 1;
-    const bool between = k > 1;
-    vtkIndirectTarget& to = last ? irradiance : this->Shares[1 - k % 2];
-    vtkIndirectFullScreenProgram& kernel = last ? this->Last
-      : k % 2 == 0                              ? this->Rows
-                                                : this->Columns;
-    const bool done = kernel.RunOnSurfaces(input.Frame.Window, to,
-      [&](const vtkIndirectProgram& program)
-      {
-        input.Geometry.ActivateReceivers(program, input.Frame);
-        from->Activate(0, program);
-        program->SetUniformi("vtkiSkyNeighbors",
-          !input.Visibility ? 0
-            : between       ? NeighborsBetween
-                            : neighbors);
-        program->SetUniformf(
-          "vtkiSkyScale", between ? 1.0f / static_cast<float>(neighbors + 1) : 1.0f);
-        program->SetUniformf("vtkiSkyTurn", 1.0f / (angle * angle));
-        program->SetUniformf("vtkiSkyMost", MostSmoothed * static_cast<float>(input.Frame.Size[1]));
-        if (last)
-        {
-          setLast(program);
-        }
-      });
-    if (!done)
+    Pass pass = passes[k / 2];
+    if (k == Steps - 1 && !input.Kept)
     {
-      return false;
+      pass.SetLast = setLast;
+      return this->Draw(input, pass, this->Last, *from, irradiance);
     }
+    vtkIndirectTarget& to = this->Shares[1 - k % 2];
+    done = this->Draw(input, pass, k % 2 == 0 ? kernels.Rows : kernels.Columns, *from, to);
     from = &to;
   }
-  return true;
+  if (input.Kept)
+  {
+    vtkIndirectTarget& kept = input.Kept->GetShares();
+    done = done && this->Draw(input, { 0, 1.0f }, this->Copy, *from, kept);
+    from = &kept;
+  }
+  return done && this->Draw(input, { 0, 1.0f, setLast }, this->Last, *from, irradiance);
 }

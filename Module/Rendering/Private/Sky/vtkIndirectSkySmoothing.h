@@ -10,10 +10,13 @@
 
 struct vtkIndirectFrame;
 class vtkIndirectGeometryBuffer;
+class vtkIndirectSkyReprojection;
 
 class vtkIndirectSkySmoothing : public vtkIndirectResource
 {
 public:
+  using SetUniforms = std::function<void(const vtkIndirectProgram&)>;
+
   explicit vtkIndirectSkySmoothing(vtkIndirectResource* owner);
 
   struct Input
@@ -23,22 +26,41 @@ public:
     double PartAngle; // between the middle and the rim of a direction's part of the sky
     bool Visibility;  // false: nothing hides the sky, and nothing is smoothed
     bool Moving;      // fewer neighbours are asked
+    vtkIndirectSkyReprojection* Kept; // has the shares, and gets their means; may be null
   };
 
   /** Angle of the smoothing over that of a direction's part of the sky. */
   static constexpr double Parts = 1.5;
 
-  bool Resize(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry);
-  /** Target of the shares, which the caller fills before Run. */
+  /** depth: the target whose depth tells where shares are drawn. */
+  bool Resize(const vtkIndirectFrame& frame, const vtkIndirectTarget& depth);
+  /** Target of the shares, which the caller fills before Run; unless they are kept. */
   vtkIndirectTarget& GetShares() { return this->Shares[0]; }
   /** Writes irradiance; setLast sets the uniforms that turn a share into it. */
-  bool Run(const Input& input, vtkIndirectTarget& irradiance,
-    const std::function<void(const vtkIndirectProgram&)>& setLast);
+  bool Run(const Input& input, vtkIndirectTarget& irradiance, const SetUniforms& setLast);
+
+  static const vtkIndirectChannels ShareChannels;
 
 private:
+  struct Pass
+  {
+    int Neighbors;            // to either side
+    float Scale;              // radius over that of the shares
+    SetUniforms SetLast = {}; // set for the pass that makes shares irradiance
+  };
+  struct Kernels
+  {
+    vtkIndirectFullScreenProgram Rows;
+    vtkIndirectFullScreenProgram Columns;
+  };
+  bool Draw(const Input& input, const Pass& pass, vtkIndirectFullScreenProgram& kernel,
+    const vtkIndirectTarget& from, vtkIndirectTarget& to);
+
   vtkIndirectTarget Shares[2]; // visible shares of the sky, and their means
-  // along rows, along columns, and along columns to irradiance
-  vtkIndirectFullScreenProgram Rows{ this, "vtkIndirectSkySmoothFS.glsl" };
-  vtkIndirectFullScreenProgram Columns{ this, "vtkIndirectSkySmoothFS.glsl" };
-  vtkIndirectFullScreenProgram Last{ this, "vtkIndirectSkySmoothFS.glsl" };
+  Kernels OwnKernels{ { this, "vtkIndirectSkySmoothFS.glsl" },
+    { this, "vtkIndirectSkySmoothFS.glsl" } };
+  Kernels KeptKernels{ { this, "vtkIndirectSkySmoothFS.glsl" },
+    { this, "vtkIndirectSkySmoothFS.glsl" } };
+  vtkIndirectFullScreenProgram Copy{ this, "vtkIndirectSkySmoothFS.glsl" };
+  vtkIndirectFullScreenProgram Last{ this, "vtkIndirectSkySmoothFS.glsl" }; // to irradiance
 };

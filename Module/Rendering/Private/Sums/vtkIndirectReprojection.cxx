@@ -30,10 +30,18 @@ int FindStrip(unsigned int round)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectReprojection::vtkIndirectReprojection(vtkIndirectResource* owner)
+vtkIndirectReprojection::vtkIndirectReprojection(vtkIndirectResource* owner, bool withRadius)
   : vtkIndirectResource(owner)
   , Surface(this, SurfaceChannels, false)
 {
+  this->Reproject.SetDefinitions(withRadius ? "#define VTKI_REPROJECT_RADIUS\n" : "");
+}
+
+//------------------------------------------------------------------------------
+std::string vtkIndirectReprojection::Meaning()
+{
+  return "pixels that show places of the last frame keep the irradiance there; 1 of " +
+    std::to_string(NumberOfStrips) + " strips of the picture is summed anew";
 }
 
 //------------------------------------------------------------------------------

@@ -11,15 +11,23 @@
 
 #include <glm/glm.hpp> // for matrices
 
+#include <string> // for the report
+
 class vtkIndirectGeometryBuffer;
 struct vtkIndirectFrame;
 
 class vtkIndirectReprojection : public vtkIndirectResource
 {
 public:
-  explicit vtkIndirectReprojection(vtkIndirectResource* owner);
+  /**
+   * withRadius: alpha of the irradiance is a radius. A pixel that has irradiance of the last frame
+   * gets the radius of the pixel of greatest weight there, negative.
+   */
+  explicit vtkIndirectReprojection(vtkIndirectResource* owner, bool withRadius = false);
 
   static constexpr int NumberOfStrips = 16;
+  /** Returns what the report says of a frame that keeps irradiance. */
+  static std::string Meaning();
 
   /**
    * Keeps the places of a frame's pixels for the next frame. unit: of the frame's irradiance.

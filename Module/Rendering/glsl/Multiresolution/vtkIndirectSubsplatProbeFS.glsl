@@ -6,6 +6,28 @@
 // curvature of the irradiance is largest there: texels between the probes compute its effect where
 // they are near to it.
 #include "vtkIndirectSubsplatTexel.glsl"
+#ifdef VTKI_REPROJECTED
+#include "vtkIndirectLibReprojection.glsl"
+
+uniform sampler2D vtkiReprojected; // irradiance of the last frame
+
+// Pixels are tested on a grid of this many along an edge, over the texel and those beside it.
+const int VTKI_PROBE_TESTS = 8;
+
+// Returns true if lights are summed in the texel or beside it.
+bool vtkiProbeIsNeeded()
+{
+  bool needed = false;
+  for (int i = 0; i < VTKI_PROBE_TESTS * VTKI_PROBE_TESTS; ++i)
+  {
+    vec2 test = vec2(ivec2(i % VTKI_PROBE_TESTS, i / VTKI_PROBE_TESTS)) + 0.5f;
+    vec2 place = floor(gl_FragCoord.xy) - 1.0f + 3.0f / float(VTKI_PROBE_TESTS) * test;
+    ivec2 pixel = clamp(ivec2(vtkiEdge * place), ivec2(0), vtkiSize - 1);
+    needed = needed || texelFetch(vtkiReprojected, pixel, 0).a == VTKI_REPROJECTED_NONE;
+  }
+  return needed;
+}
+#endif
 
 struct vtkiProbeSums
 {
@@ -51,6 +73,9 @@ void main()
     vtkiTexelPixel(ivec2(gl_FragCoord.xy)));
   vtkiProbeSums sums = vtkiProbeSums(
     0.0f, 0.0f, 1.0f, 0.0f, vec4(position, 1.0f), vec4(0.0f, 0.0f, 1.0f, 0.0f));
+#ifdef VTKI_REPROJECTED
+  lit = lit && vtkiProbeIsNeeded();
+#endif
   int count = lit ? vtkiLightCount : 0;
   for (int i = 0; i < count; ++i)
   {

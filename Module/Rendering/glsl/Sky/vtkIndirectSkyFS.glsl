@@ -20,12 +20,16 @@ uniform int vtkiSkyCount; // directions in the block
 uniform ivec2 vtkiSkyPart;  // pixels of a part
 uniform ivec2 vtkiSkyClass; // place of the pixels in their blocks
 #endif
+#ifdef VTKI_SKY_FRESH
+uniform sampler2D vtkiSkyFresh; // blocks of pixels that sum directions
+#endif
 
 void main()
 {
   ivec2 place = ivec2(gl_FragCoord.xy);
 #if VTKI_SKY_STEP > 1
-  place = (place - vtkiSkyClass * vtkiSkyPart) * VTKI_SKY_STEP + vtkiSkyClass;
+  ivec2 block = place - vtkiSkyClass * vtkiSkyPart;
+  place = block * VTKI_SKY_STEP + vtkiSkyClass;
 #endif
   vec3 position[VTKI_SKY_PIXELS];
   vec3 normal[VTKI_SKY_PIXELS];
@@ -52,6 +56,9 @@ void main()
     nearness[k] = 0.0f;
     any = any || lit[k];
   }
+#ifdef VTKI_SKY_FRESH
+  any = any && texelFetch(vtkiSkyFresh, block, 0).r > 0.5f;
+#endif
   int count = any ? vtkiSkyCount : 0;
   for (int i = 0; i < count; ++i)
   {

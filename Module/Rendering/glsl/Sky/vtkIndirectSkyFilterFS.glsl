@@ -34,6 +34,9 @@ uniform sampler2D vtkiSkySums3;
 #endif
 #ifdef VTKI_SKY_ROWS
 uniform ivec2 vtkiSkyPart; // pixels of a part, which holds the pixels of one place in their blocks
+#ifdef VTKI_SKY_FRESH
+uniform sampler2D vtkiSkyFresh; // blocks of pixels that sum directions
+#endif
 #else
 // irradiance without occlusion; sum of all directions without occlusion
 uniform sampler2D vtkiOpenSky;
@@ -86,7 +89,11 @@ vec4 vtkiSumAlong(ivec2 pixel, vtkiReceiver receiver, out float nearness)
   float tolerance = VTKI_INTERPOLATION_DISTANCE * vtkiSampleDistance(receiver.depth);
   vec4 sum = vec4(0.0f);
   nearness = 0.0f;
-  for (int i = 1 - VTKI_SKY_STEP; i < VTKI_SKY_STEP; ++i)
+  int end = VTKI_SKY_STEP;
+#ifdef VTKI_SKY_FRESH
+  end = texelFetch(vtkiSkyFresh, pixel / VTKI_SKY_STEP, 0).r > 0.5f ? end : -VTKI_SKY_STEP;
+#endif
+  for (int i = 1 - VTKI_SKY_STEP; i < end; ++i)
   {
     ivec2 at = pixel;
     at[VTKI_AXIS] += i;

@@ -11,7 +11,10 @@
 #include "vtkIndirectReceiverGrid.glsl"
 #include "vtkIndirectLibSky.glsl"
 
-uniform sampler2D vtkiSkyShares; // visible shares of the colours, radius
+uniform sampler2D vtkiSkyShares; // visible shares of the colours; radius, negative: smoothed already
+#ifdef VTKI_SKY_KEPT
+uniform sampler2D vtkiSkyKept; // shares of the last frame, with negative radius, where there are some
+#endif
 uniform float vtkiSkyTurn; // one over the square of the angle between normals that ends the mean
 uniform float vtkiSkyMost; // largest radius in pixels
 uniform float vtkiSkyScale; // radius of the smoothing over the shares' radius
@@ -50,6 +53,10 @@ vtkiSkyNeighbor vtkiFetchNeighbor(
   vec2 place = (vec2(at) + 0.5f) / vec2(vtkiSize);
   vec4 surface = textureLod(vtkiSurface, place, 0.0f);
   vec4 share = textureLod(vtkiSkyShares, place, 0.0f);
+#ifdef VTKI_SKY_KEPT
+  vec4 kept = textureLod(vtkiSkyKept, place, 0.0f);
+  share = kept.a < 0.0f ? kept : share;
+#endif
   // The offset in the scene is affine in that of pixels and in the neighbour's depth.
   float depth = vtkiSurfaceDepth(surface);
   float along = float(step) * 2.0f / float(vtkiSize[VTKI_AXIS]);
@@ -59,7 +66,7 @@ vtkiSkyNeighbor vtkiFetchNeighbor(
   float tolerance = VTKI_INTERPOLATION_DISTANCE * footprint + VTKI_SKY_SLOPE * sqrt(distance2);
   bool same = inside && vtkiSurfaceIsLit(surface) &&
     abs(dot(receiver.facetVC, offset)) <= tolerance;
-  float radius = max(min(width, vtkiSkyScale * share.a), 1.0e-20f);
+  float radius = max(min(width, vtkiSkyScale * abs(share.a)), 1.0e-20f);
   vec3 turn = receiver.normalVC - vtkiSurfaceNormal(surface);
   float part = sqrt(distance2 / (radius * radius) + vtkiSkyTurn * dot(turn, turn));
   return vtkiSkyNeighbor(share.rgb, same ? max(1.0f - part, 0.0f) : 0.0f);

@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Irradiance of the last frame at the places that the eye sees again: a bilinear mean of those pixels
-// that lie on the place's surface.
+// that lie on the place's surface. With VTKI_REPROJECT_RADIUS alpha is a radius, that of the
+// heaviest pixel, negative: see vtkIndirectSkyReprojection.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibReprojection.glsl"
 
@@ -49,6 +50,10 @@ void main()
   vec2 code = vtkiOctahedralEncode(mat3(vtkiViewToBefore) * vtkiSurfaceNormal(surface));
   vec3 irradiance = vec3(0.0f);
   float weights = 0.0f;
+#ifdef VTKI_REPROJECT_RADIUS
+  float heaviest = 0.0f;
+  float radius = 0.0f;
+#endif
   // In software loops save time where branches do not.
   for (int i = 0; i < (wanted ? 4 : 0); ++i)
   {
@@ -62,11 +67,21 @@ void main()
       dot(turn, turn) <= vtkiSameNormalBefore * vtkiSameNormalBefore;
     float weight = ((i & 1) == 1 ? blend.x : 1.0f - blend.x) * (i > 1 ? blend.y : 1.0f - blend.y);
     weight = same ? weight : 0.0f;
-    irradiance += weight * texelFetch(vtkiIrradianceBefore, inside, 0).rgb;
+    vec4 before = texelFetch(vtkiIrradianceBefore, inside, 0);
+    irradiance += weight * before.rgb;
+#ifdef VTKI_REPROJECT_RADIUS
+    radius = weight > heaviest ? abs(before.a) : radius;
+    heaviest = max(heaviest, weight);
+#endif
     weights += weight;
   }
   bool found = weights >= vtkiEnoughBefore;
-  gl_FragData[0] = found ? vec4(irradiance / max(weights, vtkiEnoughBefore), 1.0f)
+#ifdef VTKI_REPROJECT_RADIUS
+  float alpha = -radius;
+#else
+  float alpha = 1.0f;
+#endif
+  gl_FragData[0] = found ? vec4(irradiance / max(weights, vtkiEnoughBefore), alpha)
                          : vec4(0.0f, 0.0f, 0.0f, lit ? VTKI_REPROJECTED_NONE : 0.0f);
   gl_FragDepth = found || !lit ? 0.0f : 1.0f;
 }
