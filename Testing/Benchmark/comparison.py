@@ -152,6 +152,9 @@ class Run(compare.Run):
         self._normals: list[np.ndarray] = []
         if comparison.sweep.flicker and not self.with_errors:
             self.missing["flicker"] = self.missing["errors"]
+        flickering = comparison.sweep.flicker_scenes
+        if comparison.sweep.flicker and flickering is not None and scene.name not in flickering:
+            self.missing["flicker"] = "the sweep has it in other scenes: " + ", ".join(flickering)
         if not references.has_r1(scene):
             traced = comparison.python is not None
             asked = {

@@ -15,9 +15,14 @@ from importlib.metadata import version
 
 import numpy as np
 
+LONG_ENOUGH = 2.0
+"""Seconds."""
+
 
 def denoised(image: np.ndarray, normal: np.ndarray, repeats: int) -> tuple[np.ndarray, float]:
     """The image by Intel's Open Image Denoise, and the median of the seconds of `repeats` times.
+
+    Fewer times are enough once they have taken `LONG_ENOUGH`.
 
     The albedo is divided out of the image, so that the auxiliary albedo is 1; normals have no noise.
     """
@@ -33,6 +38,8 @@ def denoised(image: np.ndarray, normal: np.ndarray, repeats: int) -> tuple[np.nd
         before = time.perf_counter()
         found = pyoidn.denoise(colour, **guides, hdr=True, clean_aux=True)
         seconds.append(time.perf_counter() - before)
+        if sum(seconds) >= LONG_ENOUGH:
+            break
     return found, statistics.median(seconds)
 
 

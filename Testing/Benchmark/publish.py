@@ -51,7 +51,7 @@ papers](speed-vs-error/benchmarks.md).
 | mitsuba | the path tracer by samples a pixel |
 
 Each method by default and as published has a time of moving frames; flicker is measured of the default, gather,
-multiresolution-paper, hints, and the path tracer with 4 samples, raw and denoised. Rows of papers and -open ignore occluders
+multiresolution-paper, hints, and the path tracer with 4 samples, raw and denoised, in the scenes that are path traced. Rows of papers and -open ignore occluders
 between senders and receivers, as the papers do. They converge to R1, and their light in places that should be dark is a large part of relMSE, which divides by the reference at each pixel. Rows
 with one bounce are compared with R2; against R3 they lack the later bounces, more than half of all indirect light in
 closed, pale rooms.

@@ -456,6 +456,12 @@ class Command(DirectoryTest):
         self.assertGreater(float(row["change"]), 0.0)
         self.assertLess(abs(float(row["flicker"])), float(row["change"]))
 
+    def test_flicker_of_other_scenes(self) -> None:
+        sweep = {**sweep_of({"method": "gather"}), "flicker_scenes": ["room"]}
+        row = self.compare("--sweep", self.write("sweep.json", sweep), "--flicker")[-1]
+        self.assertEqual(row.get("flicker", ""), "")
+        self.assertIn("left out: flicker, because the sweep has it in other scenes: room", self.said)
+
     def test_the_command_of_the_package_runs_it_where_it_is_needed(self) -> None:
         scene = self.write("small.json", small_scene())
         done = support.command_line(

@@ -92,9 +92,10 @@ class SweepFile(DirectoryTest):
         self.assertTrue(found.flicker)
         self.assertEqual(found.path_tracer, {"one_bounce": [], "all_bounces": [4, 16]})
         self.assertIsNone(found.path_traced_scenes)
-        content["path_traced_scenes"] = ["box"]
+        self.assertIsNone(found.flicker_scenes)
+        content |= {"path_traced_scenes": ["box"], "flicker_scenes": ["room"]}
         found = sweep.load(self.write("sweep.json", content))
-        self.assertEqual(found.path_traced_scenes, ["box"])
+        self.assertEqual((found.path_traced_scenes, found.flicker_scenes), (["box"], ["room"]))
 
     def test_a_pace_is_of_the_row_and_its_key(self) -> None:
         rows = self.load(

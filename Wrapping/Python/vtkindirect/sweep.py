@@ -10,10 +10,10 @@ A list of values stands for one row each; several lists make every combination, 
 fastest. Optional keys of a row: ``sampler``, ``label`` (default: the method and what the lists
 chose), ``pace`` (one of `frames.PACES`: what the camera does meanwhile; default: it turns by less
 than a pixel, and each frame is one of a camera that stands). Optional keys of the sweep:
-``flicker`` (true, or labels of rows: also along a path of the camera), ``moving`` (labels of rows:
-also the time of a frame while the camera turns), ``path_tracer`` (samples a
-pixel for each of its curves, {"one_bounce": […], "all_bounces": […]}), ``path_traced_scenes``
-(names; default: all).
+``flicker`` (true, or labels of rows: also along a path of the camera), ``flicker_scenes`` (names;
+default: all), ``moving`` (labels of rows: also the time of a frame while the camera turns),
+``path_tracer`` (samples a pixel for each of its curves, {"one_bounce": […], "all_bounces": […]}),
+``path_traced_scenes`` (names; default: all).
 """
 
 from __future__ import annotations
@@ -60,6 +60,8 @@ class Sweep:
     """Names of the scenes that the path tracer's rows are of; None for all."""
     moving: list[str] = field(default_factory=list)
     """Labels of rows whose frames are timed while the camera turns, too."""
+    flicker_scenes: list[str] | None = None
+    """Names of the scenes in which flicker is measured; None for all."""
 
 
 def default(names: list[str]) -> Sweep:
@@ -100,5 +102,5 @@ def load(path: str | Path) -> Sweep:
         if labels.count(label) > 1:
             raise UsageError(f"{path}: two rows are called '{label}'; give them labels")
     samples = {key: sorted(set(content["path_tracer"][key])) for key in PATH_TRACER}
-    scenes = content.get("path_traced_scenes")
-    return Sweep(rows, content["flicker"], samples, scenes, content["moving"])
+    traced, flickering = (content.get(f"{what}_scenes") for what in ("path_traced", "flicker"))
+    return Sweep(rows, content["flicker"], samples, traced, content["moving"], flickering)
