@@ -82,9 +82,9 @@ class Reprojection(unittest.TestCase):
             counts.append(sums(renderer))
         kept = irradiance(renderer)
         fresh = self.draw_fresh(renderer)
-        # Measured 0.23 in both projections; the strip has 1/16 of the picture.
+        # Measured 0.15, in parallel projection 0.16; the strip has 1/16 of the picture.
         many = sums(renderer)
-        self.assertLess(np.mean(counts), 0.35 * many)
+        self.assertLess(np.mean(counts), 0.25 * many)
         self.draw(STILL)
         still = irradiance(renderer)
         shown = still > 0
@@ -92,7 +92,7 @@ class Reprojection(unittest.TestCase):
             np.sqrt(np.mean((picture - still)[shown] ** 2)) / still[shown].mean()
             for picture in (kept, fresh)
         )
-        # Measured 0.055 and 0.055, in parallel projection 0.041 and 0.044.
+        # Measured 0.062 and 0.057, in parallel projection 0.048 and 0.045.
         self.assertLess(error, 1.2 * fresh_error)
         self.assertLess(abs(kept[shown].mean() / still[shown].mean() - 1), 0.005)
 

@@ -268,10 +268,10 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     this->SamplingError = this->Pyramid.EstimateSamplingError();
   }
-  if (this->Tolerance > 0.0 && !batches)
+  if (this->Tolerance > 0.0 && !batches && settings.HasCompute)
   {
     this->Evaluations = 0;
-    for (size_t i = 0; settings.HasCompute && i < this->Pyramid.GetNumberOfLevels(); ++i)
+    for (size_t i = 0; i < this->Pyramid.GetNumberOfLevels(); ++i)
     {
       this->Evaluations += 4 * this->Pyramid.GetLists().Count(i);
     }
@@ -417,8 +417,8 @@ void vtkIndirectSubsplatSum::AddToReport(vtkIndirectReport& report) const
   const std::string name = "ErrorTolerance " + vtkIndirectReport::Number(this->Tolerance);
   report.Modelled.emplace_back(name,
     "thresholds of the subsplats chosen for it; " +
-      (this->Evaluations > 0 ? "at most " + std::to_string(this->Evaluations) + " of them summed "
-                             : std::string("they summed ")) +
+      (this->Evaluations >= 0 ? "at most " + std::to_string(this->Evaluations) + " of them summed "
+                              : std::string("they summed ")) +
       std::to_string(this->NumberOfLights) + " virtual lights each");
   for (const std::string& threshold : this->FindOwnThresholds())
   {

@@ -1,7 +1,8 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // Irradiance of the last frame at the places that the eye sees again: a bilinear mean of those pixels
-// that lie on the place's surface. With VTKI_REPROJECT_RADIUS alpha is a radius, that of the
+// that lie on the place's surface. Where the eye sees a few more pixels of a surface, such as beside
+// an outline, the mean of pixels around the place. With VTKI_REPROJECT_RADIUS alpha is a radius, that of the
 // heaviest pixel, negative: see vtkIndirectSkyReprojection.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibReprojection.glsl"
@@ -26,6 +27,45 @@ const float vtkiSamePlaneBefore = 1.0f;
 const float vtkiSameNormalBefore = 0.2f;
 // Least sum of the bilinear weights.
 const float vtkiEnoughBefore = 0.2f;
+// Distance, in pixels, of the eight pixels around a place whose own pixels do not show its surface.
+const float vtkiAroundBefore = 1.0f;
+
+// The receiver in the last frame's view coordinates.
+struct vtkiReceiverBefore
+{
+  vec3 alongOrigin; // its facet in the ray's origin and direction
+  vec3 alongDirection;
+  float offset;    // of its plane
+  float tolerance; // distance from the plane
+  vec2 code;       // octahedral normal
+};
+
+struct vtkiSumBefore
+{
+  vec3 irradiance;
+  float weights;
+  float heaviest; // greatest weight, and the radius there
+  float radius;
+};
+
+void vtkiAddBefore(
+  inout vtkiSumBefore sum, vtkiReceiverBefore receiver, ivec2 texel, float weight)
+{
+  ivec2 inside = clamp(texel, ivec2(0), vtkiSize - 1);
+  vec4 other = texelFetch(vtkiSurfaceBefore, inside, 0);
+  vec3 ray = vec3(2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f, 1.0f);
+  float away = dot(receiver.alongOrigin, ray) +
+    vtkiSurfaceDepth(other) * dot(receiver.alongDirection, ray) - receiver.offset;
+  vec2 turn = vtkiSurfaceCode(other) - receiver.code;
+  bool same = texel == inside && vtkiSurfaceIsLit(other) && abs(away) <= receiver.tolerance &&
+    dot(turn, turn) <= vtkiSameNormalBefore * vtkiSameNormalBefore;
+  vec4 before = texelFetch(vtkiIrradianceBefore, inside, 0);
+  float counted = same ? weight : 0.0f;
+  sum.irradiance += counted * before.rgb;
+  sum.weights += counted;
+  sum.radius = counted > sum.heaviest ? abs(before.a) : sum.radius;
+  sum.heaviest = max(sum.heaviest, counted);
+}
 
 void main()
 {
@@ -42,46 +82,33 @@ void main()
   ivec2 corner = ivec2(floor(at));
   vec2 blend = at - floor(at);
   vec3 facet = mat3(vtkiViewToBefore) * vtkiSurfaceFacet(surface);
-  vec3 alongOrigin = facet * vtkiRayOriginBefore;
-  vec3 alongDirection = facet * vtkiRayDirectionBefore;
-  float offset = dot(facet, position);
-  float tolerance = vtkiSamePlaneBefore * (2.0f / float(vtkiSize.x)) *
+  vtkiReceiverBefore receiver;
+  receiver.alongOrigin = facet * vtkiRayOriginBefore;
+  receiver.alongDirection = facet * vtkiRayDirectionBefore;
+  receiver.offset = dot(facet, position);
+  receiver.tolerance = vtkiSamePlaneBefore * (2.0f / float(vtkiSize.x)) *
     length(vtkiRayOriginBefore[0] - position.z * vtkiRayDirectionBefore[0]);
-  vec2 code = vtkiOctahedralEncode(mat3(vtkiViewToBefore) * vtkiSurfaceNormal(surface));
-  vec3 irradiance = vec3(0.0f);
-  float weights = 0.0f;
-#ifdef VTKI_REPROJECT_RADIUS
-  float heaviest = 0.0f;
-  float radius = 0.0f;
-#endif
+  receiver.code = vtkiOctahedralEncode(mat3(vtkiViewToBefore) * vtkiSurfaceNormal(surface));
+  vtkiSumBefore sum = vtkiSumBefore(vec3(0.0f), 0.0f, 0.0f, 0.0f);
   // In software loops save time where branches do not.
   for (int i = 0; i < (wanted ? 4 : 0); ++i)
   {
-    ivec2 texel = corner + ivec2(i & 1, i >> 1);
-    ivec2 inside = clamp(texel, ivec2(0), vtkiSize - 1);
-    vec4 other = texelFetch(vtkiSurfaceBefore, inside, 0);
-    vec3 ray = vec3(2.0f * (vec2(texel) + 0.5f) / vec2(vtkiSize) - 1.0f, 1.0f);
-    float away = dot(alongOrigin, ray) + vtkiSurfaceDepth(other) * dot(alongDirection, ray) - offset;
-    vec2 turn = vtkiSurfaceCode(other) - code;
-    bool same = texel == inside && vtkiSurfaceIsLit(other) && abs(away) <= tolerance &&
-      dot(turn, turn) <= vtkiSameNormalBefore * vtkiSameNormalBefore;
     float weight = ((i & 1) == 1 ? blend.x : 1.0f - blend.x) * (i > 1 ? blend.y : 1.0f - blend.y);
-    weight = same ? weight : 0.0f;
-    vec4 before = texelFetch(vtkiIrradianceBefore, inside, 0);
-    irradiance += weight * before.rgb;
-#ifdef VTKI_REPROJECT_RADIUS
-    radius = weight > heaviest ? abs(before.a) : radius;
-    heaviest = max(heaviest, weight);
-#endif
-    weights += weight;
+    vtkiAddBefore(sum, receiver, corner + ivec2(i & 1, i >> 1), weight);
   }
-  bool found = weights >= vtkiEnoughBefore;
+  for (int i = 0; i < (wanted && sum.weights < vtkiEnoughBefore ? 8 : 0); ++i)
+  {
+    int turn = i < 4 ? i : i + 1;
+    vec2 way = vtkiAroundBefore * vec2(ivec2(turn % 3, turn / 3) - 1);
+    vtkiAddBefore(sum, receiver, ivec2(floor(at + way + 0.5f)), 1.0f);
+  }
+  bool found = sum.weights >= vtkiEnoughBefore;
 #ifdef VTKI_REPROJECT_RADIUS
-  float alpha = -radius;
+  float alpha = -sum.radius;
 #else
   float alpha = 1.0f;
 #endif
-  gl_FragData[0] = found ? vec4(irradiance / max(weights, vtkiEnoughBefore), alpha)
+  gl_FragData[0] = found ? vec4(sum.irradiance / max(sum.weights, vtkiEnoughBefore), alpha)
                          : vec4(0.0f, 0.0f, 0.0f, lit ? VTKI_REPROJECTED_NONE : 0.0f);
   gl_FragDepth = found || !lit ? 0.0f : 1.0f;
 }
