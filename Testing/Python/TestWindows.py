@@ -2,16 +2,20 @@
 """Windows: with and without a display, of any size that is allowed."""
 
 import contextlib
+import gc
 import io
 import os
 import unittest
 import warnings
 from unittest import mock
 
-from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
-from vtkmodules.vtkRenderingCore import vtkRenderWindow
-
+import numpy as np
 import support
+from rooms import make_actor, make_ball, make_room
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
+from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
+
 import vtkindirect
 from vtkindirect import RenderError, UsageError, cli, windows, wrapped
 
@@ -88,6 +92,39 @@ class Windows(unittest.TestCase):
         self.assertNotIn("antialiased edges", [e["what"] for e in found["modelled"]])
         self.assertGreater(vtkindirect.copy_buffer(scene.renderer, "final").mean(), 0.0)
         window.Finalize()
+
+    @unittest.skipUnless(HAVE_HEADLESS, NO_HEADLESS)
+    def test_end_of_another_window(self) -> None:
+        """A window that ends takes no objects of OpenGL from another window."""
+        first = vtkindirect.render_window((160, 120), offscreen=True)
+        # The room reaches beyond the picture: the pass draws a map of what the camera sees, in the
+        # second frame by its own drawer.
+        room = vtkindirect.load_scene(support.SCENES / "apartment_living.json").renderer
+        vtkindirect.enable(room, lighting="scene", Caching=False)
+        first.AddRenderer(room)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # glass takes no part
+            first.Render()
+            first.Render()
+        second = vtkindirect.render_window((160, 120), offscreen=True)
+        balls = vtkRenderer()
+        for i in range(100):
+            ball = make_actor(make_ball(0.02 + 0.0005 * i))
+            ball.SetPosition(0.1 * (i % 10), 0.1 * (i // 10), 0)
+            balls.AddActor(ball)
+        second.AddRenderer(balls)
+
+        def draw() -> np.ndarray:
+            second.Render()
+            pixels = vtkUnsignedCharArray()
+            second.GetPixelData(0, 0, 159, 119, 0, pixels, 0)
+            return vtk_to_numpy(pixels).copy()
+
+        before = draw()
+        self.assertGreater(len(np.unique(before)), 10)
+        del first, room
+        gc.collect()
+        np.testing.assert_array_equal(draw(), before)
 
     @unittest.skipUnless(HAVE_HEADLESS, NO_HEADLESS)
     def test_headless(self) -> None:

@@ -156,3 +156,12 @@ void vtkIndirectDepthMaps::Release(ClientType client, vtkWindow* window)
   this->Clients[client].Atlas.Release(window);
   this->Clients[client].Asks = false;
 }
+
+//------------------------------------------------------------------------------
+void vtkIndirectDepthMaps::Release(vtkWindow* window)
+{
+  for (int i = 0; i < NUMBER_OF_CLIENTS; ++i)
+  {
+    this->Release(static_cast<ClientType>(i), window);
+  }
+}

@@ -61,6 +61,8 @@ public:
   /** Adds the memory, and the maps that are missing or stale. */
   void AddToReport(vtkIndirectReport& report) const;
   void Release(ClientType client, vtkWindow* window);
+  /** Releases the maps of all clients. */
+  void Release(vtkWindow* window);
 
 private:
   struct Client

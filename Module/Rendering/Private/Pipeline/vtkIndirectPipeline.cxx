@@ -573,6 +573,7 @@ void vtkIndirectPipeline::ReleaseOwn(vtkWindow* window)
 {
   this->Capture->ReleaseGraphicsResources(window);
   this->Maps.Release(window);
+  this->DepthMaps.Release(window);
   this->SkyProjection = vtkIndirectSkyProjection();
   this->Spheres->ReleaseGraphicsResources(window);
   this->SphereMotion.Forget();
