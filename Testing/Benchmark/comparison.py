@@ -109,6 +109,10 @@ def record_of(stored: Path | None) -> dict[str, Any]:
     return json.loads(path.read_text(encoding="utf-8"))
 
 
+def _elsewhere(scenes: list[str]) -> str:
+    return "the sweep has it in other scenes: " + ", ".join(scenes)
+
+
 def difference_image(irradiance: np.ndarray, reference: np.ndarray) -> np.ndarray:
     """Return a picture of errors: red too bright, blue too dark, full colour at half the mean."""
     signed = (irradiance - reference).mean(axis=-1) / (0.5 * reference.mean())
@@ -154,7 +158,7 @@ class Run(compare.Run):
             self.missing["flicker"] = self.missing["errors"]
         flickering = comparison.sweep.flicker_scenes
         if comparison.sweep.flicker and flickering is not None and scene.name not in flickering:
-            self.missing["flicker"] = "the sweep has it in other scenes: " + ", ".join(flickering)
+            self.missing["flicker"] = _elsewhere(flickering)
         if not references.has_r1(scene):
             traced = comparison.python is not None
             asked = {
@@ -278,7 +282,7 @@ class Run(compare.Run):
             return []
         traced = self.comparison.sweep.path_traced_scenes
         if traced is not None and self.scene.name not in traced:
-            self.missing[TRACER] = "the sweep has it in other scenes: " + ", ".join(traced)
+            self.missing[TRACER] = _elsewhere(traced)
             return []
         bounces = {"one_bounce": 1, "all_bounces": self.record.get("R3", {}).get("bounces")}
         rows = []

@@ -16,7 +16,7 @@ from importlib.metadata import version
 import numpy as np
 
 LONG_ENOUGH = 2.0
-"""Seconds."""
+"""Seconds after which an image is not denoised once more."""
 
 
 def denoised(image: np.ndarray, normal: np.ndarray, repeats: int) -> tuple[np.ndarray, float]:

@@ -11,7 +11,7 @@ from unittest import mock
 
 import numpy as np
 import support
-from rooms import make_actor, make_ball, make_room
+from rooms import make_actor, make_ball
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
 from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow

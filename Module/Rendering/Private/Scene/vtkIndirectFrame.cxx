@@ -356,7 +356,7 @@ void vtkIndirectFrame::CollectLights()
     {
       entry.PositionWC = place;
     }
-    else if (entry.FollowsCamera || this->ReplacedLights)
+    else if (entry.FollowsCamera)
     {
       entry.DirectionWC = RoundDirection(entry.DirectionWC);
     }

@@ -4,9 +4,13 @@
 #include "Sky/vtkIndirectSkyReprojection.h"
 
 #include "Scene/vtkIndirectFrame.h"
-#include "Sky/vtkIndirectSkySmoothing.h"
 
 #include <utility>
+
+const vtkIndirectChannels vtkIndirectSkyReprojection::ShareChannels = {
+  { "sky.shares", "vtkiSkyShares", "visible shares of the sky; how far these are smoothed",
+    GL_RGBA32F, "-", "1; scene units" },
+};
 
 namespace
 {
@@ -33,8 +37,7 @@ bool vtkIndirectSkyReprojection::Begin(const Input& input)
   std::swap(this->Now, this->Before);
   if (!this->Now)
   {
-    this->Now =
-      std::make_unique<vtkIndirectTarget>(this, vtkIndirectSkySmoothing::ShareChannels, true);
+    this->Now = std::make_unique<vtkIndirectTarget>(this, ShareChannels, true);
   }
   if (!this->Now->Resize(frame.Window, frame.Size[0], frame.Size[1]))
   {

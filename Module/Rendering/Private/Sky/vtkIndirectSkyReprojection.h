@@ -17,6 +17,8 @@ class vtkIndirectSkyReprojection : public vtkIndirectResource
 public:
   explicit vtkIndirectSkyReprojection(vtkIndirectResource* owner);
 
+  static const vtkIndirectChannels ShareChannels;
+
   struct Input
   {
     const vtkIndirectFrame& Frame;

@@ -7,11 +7,6 @@
 #include "Scene/vtkIndirectFrame.h"
 #include "Sky/vtkIndirectSkyReprojection.h"
 
-const vtkIndirectChannels vtkIndirectSkySmoothing::ShareChannels = {
-  { "sky.shares", "vtkiSkyShares", "visible shares of the sky; how far these are smoothed",
-    GL_RGBA32F, "-", "1; scene units" },
-};
-
 namespace
 {
 // Largest radius of the smoothing over the picture's height.
@@ -26,7 +21,8 @@ constexpr int Steps = 4;
 //------------------------------------------------------------------------------
 vtkIndirectSkySmoothing::vtkIndirectSkySmoothing(vtkIndirectResource* owner)
   : vtkIndirectResource(owner)
-  , Shares{ { this, ShareChannels, false }, { this, ShareChannels, false } }
+  , Shares{ { this, vtkIndirectSkyReprojection::ShareChannels, false },
+    { this, vtkIndirectSkyReprojection::ShareChannels, false } }
 {
   this->OwnKernels.Rows.SetDefinitions("#define VTKI_SKY_ROWS\n");
   this->KeptKernels.Rows.SetDefinitions("#define VTKI_SKY_ROWS\n#define VTKI_SKY_KEPT\n");
@@ -96,7 +92,7 @@ bool vtkIndirectSkySmoothing::Run(
   if (input.Kept)
   {
     vtkIndirectTarget& kept = input.Kept->GetShares();
-    done = done && this->Draw(input, { 0, 1.0f }, this->Copy, *from, kept);
+    done = done && this->Draw(input, { 0, 1.0f }, this->OwnKernels.Columns, *from, kept);
     from = &kept;
   }
   return done && this->Draw(input, { 0, 1.0f, setLast }, this->Last, *from, irradiance);

@@ -39,8 +39,6 @@ public:
   /** Writes irradiance; setLast sets the uniforms that turn a share into it. */
   bool Run(const Input& input, vtkIndirectTarget& irradiance, const SetUniforms& setLast);
 
-  static const vtkIndirectChannels ShareChannels;
-
 private:
   struct Pass
   {
@@ -61,6 +59,5 @@ private:
     { this, "vtkIndirectSkySmoothFS.glsl" } };
   Kernels KeptKernels{ { this, "vtkIndirectSkySmoothFS.glsl" },
     { this, "vtkIndirectSkySmoothFS.glsl" } };
-  vtkIndirectFullScreenProgram Copy{ this, "vtkIndirectSkySmoothFS.glsl" };
   vtkIndirectFullScreenProgram Last{ this, "vtkIndirectSkySmoothFS.glsl" }; // to irradiance
 };

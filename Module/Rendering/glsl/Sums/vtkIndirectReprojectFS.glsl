@@ -2,8 +2,8 @@
 //VTK::Output::Dec
 // Irradiance of the last frame at the places that the eye sees again: a bilinear mean of those pixels
 // that lie on the place's surface. Where the eye sees a few more pixels of a surface, such as beside
-// an outline, the mean of pixels around the place. With VTKI_REPROJECT_RADIUS alpha is a radius, that of the
-// heaviest pixel, negative: see vtkIndirectSkyReprojection.
+// an outline, the mean of pixels around the place. With VTKI_REPROJECT_RADIUS alpha is a radius, that
+// of the heaviest pixel, negative: see vtkIndirectSkyReprojection.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibReprojection.glsl"
 
