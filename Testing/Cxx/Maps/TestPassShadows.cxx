@@ -268,6 +268,7 @@ VTK_INDIRECT_TEST(ShadowAspect)
     {
       const bool doubled = size[1] == 400;
       ShadowScene scene(doubled ? 2.0 : 1.0, size[0], size[1]);
+      scene.Pass->SetReflectiveShadowMapResolution(512);
       scene.AddPlane(3.0);
       scene.AddBlocker({ -0.55, -0.3, 0.5 }, 0.2);
       scene.LookDown(4.0);

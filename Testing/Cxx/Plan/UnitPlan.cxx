@@ -148,7 +148,8 @@ VTK_INDIRECT_TEST(PlanMapTexels)
     settings.Shadows = shadows;
     return vtkIndirectPlan::Make(frame, settings, estimator, {}).MapTexels;
   };
-  CheckEqual("a small frame", find(512, 64, true, lights), 512);
+  CheckEqual("a small frame", find(384, 64, true, lights), 512);
+  CheckEqual("a frame of middle size", find(64, 385, true, lights), 1024);
   CheckEqual("a larger one", find(513, 64, true, lights), 1024);
   CheckEqual("a tall one", find(64, 1024, true, lights), 1024);
   CheckEqual("a large one", find(1920, 1080, true, lights), 2048);

@@ -10,6 +10,9 @@
 namespace
 {
 constexpr int MostMapTexels = 2048;
+// Larger pictures take maps of no more texels than pixels along an edge, rounded up: larger maps
+// take more than 100 MB a light.
+constexpr int MapTexelsOfSmallPictures = 1024;
 // VTK's own DesiredUpdateRate of windows that nobody has set is 0.0001.
 constexpr double RateOfNobody = 0.001;
 // RMS error over the mean of the sky's light under spheres: 0.041 to 0.056 on scenes of spheres
@@ -83,10 +86,14 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.FindBounces(frame, settings, estimator, circumstances);
   plan.FindUnit(frame, circumstances);
   plan.Shadows = settings.Shadows && plan.Senders == MAPS;
-  // Texels as fine as the frame's pixels make edges of shadows as sharp as those of surfaces. An
-  // estimator that sums the maps' texels would take longer.
+  // Texels as fine as the frame's pixels make edges of shadows as sharp as those of surfaces, and
+  // finer texels those on a ground that goes away from the eye. Maps of lights that turn are drawn
+  // in each frame. An estimator that sums the maps' texels would take longer.
+  const int edge = std::max(frame.Size[0], frame.Size[1]);
+  const int least =
+    plan.LightsTurn ? edge : std::max(edge, std::min(4 * edge / 3, MapTexelsOfSmallPictures));
   while (plan.Shadows && estimator.TakesSampler && plan.MapTexels < MostMapTexels &&
-    plan.MapTexels < std::max(frame.Size[0], frame.Size[1]))
+    plan.MapTexels < least)
   {
     plan.MapTexels *= 2;
   }
