@@ -510,13 +510,14 @@ VTK_INDIRECT_TEST(WalkAddedSampler)
   const glm::dvec3 all = scene.GetReflectedFlux();
   vtkNew<vtkRandomWalkLightSampler> later;
   later->SetFirstBounce(2);
+  later->SetNumberOfLights(8192);
   scene.Walk->SetNumberOfLights(4096);
   scene.Pass->SetSampler(scene.Sampler);
   scene.Sampler->SetNumberOfLights(4096);
   scene.Pass->AddSampler(later);
   scene.Render();
   const glm::dvec3 added = scene.GetReflectedFlux();
-  CheckRelative("flux", added.x - first.x, all.x - first.x, 0.05, "1000 vertices, even lights");
+  CheckRelative("flux", added.x - first.x, all.x - first.x, 0.02, "8192 vertices, even lights");
   scene.Pass->RemoveSampler(later);
 }
 

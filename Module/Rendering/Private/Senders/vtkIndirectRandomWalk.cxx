@@ -19,8 +19,12 @@ using vtkIndirectSamplePattern::ScrambledPoint;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double TwoPi = 2.0 * Pi;
 
-// The first paths of each light, which tell how many paths the light needs.
+// The first paths of each light tell how many paths the light needs: this many, or eight times as
+// many and so on while they have few vertices. Where thousands of paths have none, later bounces
+// are less than a thousandth of the light.
 constexpr size_t PilotPaths = 64;
+constexpr size_t MostPilotPaths = 4096;
+constexpr size_t PilotVertices = 32;
 constexpr size_t PathsAtATime = 64;
 // Where more paths than that leave the scene for each vertex, later bounces are a small part of all
 // light, and fewer vertices tell them well enough.
@@ -193,8 +197,8 @@ private:
 class vtkIndirectRandomWalk::Emission
 {
 public:
-  // seen: makes more rays for the part of the scene that is seen.
-  Emission(const vtkIndirectFrame& frame, const vtkIndirectLight& light, bool seen);
+  // Makes more rays for the part of the scene that is seen.
+  Emission(const vtkIndirectFrame& frame, const vtkIndirectLight& light);
 
   bool IsDark() const { return this->Dark; }
   // Makes the ray for a place of the unit square. footprint: the ray's share of all rays times
@@ -233,7 +237,7 @@ private:
 
 //------------------------------------------------------------------------------
 vtkIndirectRandomWalk::Emission::Emission(
-  const vtkIndirectFrame& frame, const vtkIndirectLight& light, bool seen)
+  const vtkIndirectFrame& frame, const vtkIndirectLight& light)
   : Light(light)
   , SceneScale(frame.SceneScale)
 {
@@ -264,8 +268,7 @@ vtkIndirectRandomWalk::Emission::Emission(
     const glm::dvec2 reach(part.FindReach(this->U), part.FindReach(this->V));
     this->LowerOfPart = glm::max(at - ReachOfPart * reach, -this->HalfWidths);
     this->UpperOfPart = glm::min(at + ReachOfPart * reach, this->HalfWidths);
-    this->IsPart =
-      seen && part.IsPart() && glm::all(glm::lessThan(this->LowerOfPart, this->UpperOfPart));
+    this->IsPart = part.IsPart() && glm::all(glm::lessThan(this->LowerOfPart, this->UpperOfPart));
     return;
   }
   this->Origin = frame.ToScene(this->Light.PositionWC);
@@ -358,7 +361,8 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
     emission.MakeRay(ScrambledPoint(number, seed), start, direction, footprint);
     // A path ends where it carries less than a first vertex of its footprint: ended by less than
     // the mean, paths of the part that is seen would be few and bright.
-    const double most = flux * emission.FindRatio(footprint) / static_cast<double>(paths);
+    const double ratio = emission.FindRatio(footprint);
+    const double most = flux * ratio / static_cast<double>(paths);
     footprint /= static_cast<double>(paths);
     glm::dvec3 carried(0.0);
     uint32_t last = vtkIndirectTriangleTree::None;
@@ -397,6 +401,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
         vertex.DensityArea = carried;
         vertex.Emitter = place;
         vertex.Bounce = bounce;
+        vertex.Footprint = ratio;
         list.push_back(vertex);
       }
       if (bounce == lastBounce)
@@ -433,6 +438,22 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
     all.insert(all.end(), list.begin(), list.end());
   }
   return all;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectRandomWalk::List vtkIndirectRandomWalk::TracePilot(const vtkIndirectSurfaces& surfaces,
+  const Emission& emission, int place, double flux, int firstBounce, int lastBounce,
+  size_t& paths) const
+{
+  List found;
+  const size_t most = emission.IsDark() ? 0 : MostPilotPaths;
+  paths = PilotPaths;
+  for (size_t next = paths; next <= most && found.size() < PilotVertices; next *= 8)
+  {
+    paths = next;
+    found = this->Trace(surfaces, emission, place, paths, flux, firstBounce, lastBounce);
+  }
+  return found;
 }
 
 //------------------------------------------------------------------------------
@@ -517,36 +538,36 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
   this->NumberOfPaths = 0;
   // A few paths of each light tell how much of its light is reflected, and how many vertices a path
   // has.
+  std::vector<Emission> emissions;
   std::vector<double> powers;
   std::vector<double> fluxes;
   std::vector<double> lengths;
   double total = 0.0;
   for (size_t i = 0; i < emitters.size(); ++i)
   {
-    const Emission whole(frame, emitters[i], false);
+    const Emission& emission = emissions.emplace_back(frame, emitters[i]);
     const int place = static_cast<int>(i);
     // The mean flux of first vertices, weighted by that flux itself: it differs with the distance
     // from the light and with the albedo.
+    size_t paths = 0;
     double sum = 0.0;
     double squares = 0.0;
-    for (const Vertex& vertex :
-      whole.IsDark() ? List() : this->Trace(surfaces, whole, place, PilotPaths, 1.0, 1, 1))
+    for (const Vertex& vertex : this->TracePilot(surfaces, emission, place, 1.0, 1, 1, paths))
     {
-      sum += Largest(vertex.DensityArea);
-      squares += Largest(vertex.DensityArea) * Largest(vertex.DensityArea);
+      const double flux = Largest(vertex.DensityArea);
+      sum += flux;
+      squares += flux * flux / vertex.Footprint;
     }
-    fluxes.push_back(sum > 0.0 ? squares / sum * PilotPaths : 0.0);
-    const List pilot = sum > 0.0
-      ? this->Trace(surfaces, Emission(frame, emitters[i], true), place, PilotPaths, fluxes.back(),
-          std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce)
-      : List();
+    fluxes.push_back(sum > 0.0 ? squares / sum * static_cast<double>(paths) : 0.0);
+    const List pilot = this->TracePilot(surfaces, emission, place, fluxes.back(),
+      std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce, paths);
     double power = 0.0;
     for (const Vertex& vertex : pilot)
     {
       power += vertex.DensityArea.x + vertex.DensityArea.y + vertex.DensityArea.z;
     }
     powers.push_back(power);
-    lengths.push_back(static_cast<double>(pilot.size()) / PilotPaths);
+    lengths.push_back(static_cast<double>(pilot.size()) / static_cast<double>(paths));
     total += power;
   }
   double perPath = 0.0;
@@ -565,9 +586,8 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
     // The number of paths changes in steps, so that a light that moves a little keeps its paths.
     const size_t step = share > 256.0 ? 16 : 1;
     const size_t paths = std::max<size_t>(static_cast<size_t>(share) / step * step, 1);
-    const List found =
-      this->Trace(surfaces, Emission(frame, emitters[i], true), static_cast<int>(i), paths,
-        fluxes[i], std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce);
+    const List found = this->Trace(surfaces, emissions[i], static_cast<int>(i), paths, fluxes[i],
+      std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce);
     this->Vertices.insert(this->Vertices.end(), found.begin(), found.end());
     this->NumberOfPaths += paths;
   }

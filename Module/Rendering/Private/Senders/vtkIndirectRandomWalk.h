@@ -41,6 +41,7 @@ public:
     glm::dvec3 DensityArea; // B A, for each colour
     int Emitter;            // its place in the list
     int Bounce;             // from 1
+    double Footprint;       // of its ray, over that of a ray made without regard to what is seen
   };
   struct Settings
   {
@@ -76,6 +77,9 @@ private:
    */
   List Trace(const vtkIndirectSurfaces& surfaces, const Emission& emission, int place, size_t paths,
     double flux, int firstBounce, int lastBounce) const;
+  /** Traces more and more paths until they have enough vertices; paths: their number. */
+  List TracePilot(const vtkIndirectSurfaces& surfaces, const Emission& emission, int place,
+    double flux, int firstBounce, int lastBounce, size_t& paths) const;
   void FindAreas();
   void FindTail(int lastBounce);
 
