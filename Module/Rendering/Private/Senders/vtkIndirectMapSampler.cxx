@@ -53,6 +53,11 @@ std::vector<Source> MakeSources(
       source.CosCone =
         map.Light.ConeAngle < 90.0 ? std::cos(glm::radians(map.Light.ConeAngle)) : -1.0;
     }
+    if (windows && map.HasSenderWindow())
+    {
+      source.MiddleOfWindow = 0.5 + 0.5 * map.Window.Middle / map.HalfWidth;
+      source.HalfWindow = 0.5 * map.Window.HalfWidth / map.HalfWidth;
+    }
     for (int face = 0; face < map.NumberOfFaces; ++face)
     {
       source.Layer = map.FirstLayer + face;

@@ -8,8 +8,9 @@
 
 #include "Senders/vtkIndirectSampler.h"
 
-#include <memory> // for the internals
-#include <vector> // for patterns
+#include <glm/glm.hpp> // for places
+#include <memory>      // for the internals
+#include <vector>      // for patterns
 
 class vtkIndirectMapSampler : public vtkIndirectSampler
 {
@@ -30,12 +31,17 @@ public:
     // For faces of a cube: cosine of the cone of light about the face's axis, -1 for all
     // directions. 2: the source is not of a cube.
     double CosCone = 2.0;
+    // The part that a window shows again, which is another source: its middle, from 0 to 1, and
+    // half its width; 0: none.
+    glm::dvec2 MiddleOfWindow{ 0.0 };
+    double HalfWindow = 0.0;
 
     bool operator==(const Source& other) const
     {
       return this->Layer == other.Layer && this->Light == other.Light &&
         this->Size[0] == other.Size[0] && this->Size[1] == other.Size[1] &&
-        this->Disk == other.Disk && this->CosCone == other.CosCone;
+        this->Disk == other.Disk && this->CosCone == other.CosCone &&
+        this->MiddleOfWindow == other.MiddleOfWindow && this->HalfWindow == other.HalfWindow;
     }
   };
 
@@ -50,7 +56,7 @@ public:
 
   /**
    * Fills a pattern for these sources. The texels that a source's samples represent add up to the
-   * source's texels.
+   * source's texels, without those that its window shows.
    */
   virtual void MakePattern(const std::vector<Source>& sources, std::vector<Sample>& pattern) = 0;
 

@@ -4,8 +4,6 @@
 #include "Senders/vtkIndirectSenderTexels.h"
 
 #include "Emitters/vtkIndirectDirections.h"
-#include "Maps/vtkIndirectLightMap.h"
-#include "Maps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectTarget.h"
 #include "Scene/vtkIndirectFrame.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -32,44 +30,12 @@ bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
     lobes ? lobes->ReadBack(vtkIndirectSampler::LobeDirectionExponent) : std::vector<float>();
   const std::vector<float> flux =
     lobes ? lobes->ReadBack(vtkIndirectSampler::LobeDensityArea) : std::vector<float>();
-  // Texels of windows come last. They replace the texels of their maps.
-  struct Window
-  {
-    vtkIndirectDepthTile View;
-    int Light;
-  };
-  std::vector<Window> windows;
-  for (int i = 0; i < input.Maps.GetNumberOfMaps(); ++i)
-  {
-    const vtkIndirectLightMap& map = input.Maps.GetMap(i);
-    if (map.HasSenderWindow())
-    {
-      windows.push_back({ map.GetView(map.NumberOfFaces), map.Light.Index });
-    }
-  }
-  const size_t faces = static_cast<size_t>(input.Maps.GetNumberOfLayers());
-  const size_t ofMaps = count / std::max<size_t>(faces + windows.size(), 1) * faces;
   for (size_t i = 0; i < count; ++i)
   {
     const float* p = &position[4 * i];
     const float* n = &normal[4 * i];
     const float* d = &density[4 * i];
     const glm::vec3 place(p[0], p[1], p[2]);
-    const bool replaced = i < ofMaps &&
-      std::any_of(windows.begin(), windows.end(),
-        [&](const Window& window)
-        {
-          if (window.Light != static_cast<int>(d[3]))
-          {
-            return false;
-          }
-          const glm::dvec2 at = glm::abs(glm::dvec2(window.View.ToView(glm::dvec3(place))));
-          return glm::all(glm::lessThanEqual(at, window.View.HalfWidth));
-        });
-    if (replaced)
-    {
-      continue;
-    }
     if (place != glm::vec3(0.0f)) // empty texels hold the scene's centre
     {
       places.push_back(place);
