@@ -161,6 +161,7 @@ ImageError Compare(const Image& image, const Image& expected, double least, doub
         glm::length(difference) / std::max({ glm::length(wanted), least * largest, floor });
       // Written so that NaN counts as the worst.
       error.Worst = relative <= error.Worst ? error.Worst : relative;
+      error.NumberOff += relative <= 1e-5 ? 0 : 1;
       sum += glm::dot(difference, difference) / 3.0;
     }
   }

@@ -59,6 +59,7 @@ struct ImageError
   /** Largest difference of a pixel's colour, relative to the expected one, or to the bound by
    * `least`. */
   double Worst = 0.0;
+  int NumberOff = 0;           // pixels that differ by more than 1e-5
   double RootMeanSquare = 0.0; // over the expected mean
   double Mean = 0.0;           // of the expected image
   double Power = 0.0;          // root mean square of the expected image

@@ -178,9 +178,11 @@ VTK_INDIRECT_TEST(BranchesAndVisibility)
     {
       const std::string what = name + ", " + GetName(static_cast<SplatWay>(way));
       scene.Splats->SetIntensityThreshold(0.0);
-      CheckAtMost(what + ": worst difference to the gather, all counting",
-        Compare(scene.SplatLights(static_cast<SplatWay>(way)), expected, Least).Worst, 1e-5,
-        "the order of sums");
+      const ImageError error =
+        Compare(scene.SplatLights(static_cast<SplatWay>(way)), expected, Least);
+      CheckAtMost(what + ": pixels off from the gather, all counting", error.NumberOff, 2,
+        "one of 32 lights at two pixels beside each other, of 4425: tree and maps by ellipsoids");
+      CheckAtMost(what + ": worst difference there", error.Worst, 0.1, "measured 0.083");
       scene.Splats->SetIntensityThreshold(0.02);
       const Image image = scene.SplatLights(static_cast<SplatWay>(way));
       CheckRelative(what + ": mean by default", Sum(image), Sum(expected), 0.02,
