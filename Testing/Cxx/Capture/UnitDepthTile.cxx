@@ -192,7 +192,7 @@ VTK_INDIRECT_TEST(DepthTileOfADirection)
     for (int i = 0; i < 200; ++i)
     {
       const vtkIndirectDepthTile tile =
-        vtkIndirectDepthTile::FromDirection(frame, random.NextDirection());
+        vtkIndirectDepthTile::FromDirection(frame, random.NextDirection(), frame.Seen.Box);
       unseen += tile.CanSee(frame, frame.Casters[0].Bounds, 128) ? 0 : 1;
       const glm::dmat4 toClip = tile.GetWorldToClip(frame);
       for (int corner = 0; corner < 8; ++corner)
@@ -407,7 +407,8 @@ VTK_INDIRECT_TEST(DepthTileHasAllThatHides)
     {
       toLight = glm::normalize(glm::dvec3(toLight.x, 0.0, toLight.z)); // along planes
     }
-    const vtkIndirectDepthTile tile = vtkIndirectDepthTile::FromDirection(frame, toLight);
+    const vtkIndirectDepthTile tile =
+      vtkIndirectDepthTile::FromDirection(frame, toLight, frame.Seen.Box);
     smallest = std::min(smallest, std::min(tile.HalfWidth.x, tile.HalfWidth.y));
     for (int i = 0; i < 400; ++i)
     {
@@ -462,7 +463,7 @@ VTK_INDIRECT_TEST(DepthTileHasAllThatHides)
   for (int i = 0; i < 200; ++i)
   {
     const glm::dvec2 half =
-      vtkIndirectDepthTile::FromDirection(frame, random.NextDirection()).HalfWidth;
+      vtkIndirectDepthTile::FromDirection(frame, random.NextDirection(), frame.Seen.Box).HalfWidth;
     widest = std::max({ widest, half.x, half.y });
   }
   CheckAtMost("half width of tiles over that of the ball", widest / 0.01, 1.01 * std::sqrt(3.0),

@@ -177,7 +177,7 @@ glm::ivec2 vtkIndirectDepthTile::GetPlaceOfView(int view, int texels, bool strip
 
 //------------------------------------------------------------------------------
 vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
-  const vtkIndirectFrame& frame, const glm::dvec3& toLight)
+  const vtkIndirectFrame& frame, const glm::dvec3& toLight, const vtkIndirectSeenBox& receivers)
 {
   vtkIndirectDepthTile tile;
   tile.Parallel = true;
@@ -197,12 +197,10 @@ vtkIndirectDepthTile vtkIndirectDepthTile::FromDirection(
       upper[axis] = std::max(upper[axis], corners[i][axis]);
     }
   }
-  // The eye sees no receiver beyond the box, so the tile ends there.
-  const vtkIndirectSeenBox& seen = frame.Seen.Box;
-  for (int axis = 0; seen.IsPart() && axis < 2; ++axis)
+  for (int axis = 0; receivers.IsPart() && axis < 2; ++axis)
   {
-    const double middle = glm::dot(axes[axis], seen.Middle - tile.Place);
-    const double reach = seen.FindReach(axes[axis]);
+    const double middle = glm::dot(axes[axis], receivers.Middle - tile.Place);
+    const double reach = receivers.FindReach(axes[axis]);
     lower[axis] = glm::clamp(lower[axis], middle - reach, middle + reach);
     upper[axis] = glm::clamp(upper[axis], middle - reach, middle + reach);
   }

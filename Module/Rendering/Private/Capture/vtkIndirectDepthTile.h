@@ -7,6 +7,7 @@
 
 class vtkOpenGLCamera;
 struct vtkIndirectFrame;
+struct vtkIndirectSeenBox;
 
 struct vtkIndirectDepthTile
 {
@@ -60,10 +61,11 @@ struct vtkIndirectDepthTile
   /**
    * Makes the tile of light from a direction, fitted to the casters. A caster and the receiver that
    * it hides have the same place in the tile. So the largest casters that are flat along an axis of
-   * the world and hide nothing of each other, such as a ground, may reach beyond the tile.
+   * the world and hide nothing of each other, such as a ground, may reach beyond the tile. The tile
+   * ends where the box ends that its receivers lie in.
    */
   static vtkIndirectDepthTile FromDirection(
-    const vtkIndirectFrame& frame, const glm::dvec3& toLight);
+    const vtkIndirectFrame& frame, const glm::dvec3& toLight, const vtkIndirectSeenBox& receivers);
 
   /** Returns a place, in scene units, along the axes right, up and forward. */
   glm::dvec3 ToView(const glm::dvec3& place) const

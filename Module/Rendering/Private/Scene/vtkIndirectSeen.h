@@ -101,10 +101,19 @@ struct vtkIndirectSeen
   std::vector<Place> Places; // at the pixels of a small picture
   vtkIndirectSeenBox Box;    // around all of them
   /**
-   * Around the nearer three quarters: a glimpse of the horizon does not make this box as large as
-   * the scene. Lights are finer near it.
+   * Around the nearer half: a view of the horizon does not make this box as large as the scene.
+   * Lights and maps of the sky are finer near it. Around three quarters, a town of 500 m before the
+   * horizon had 8 % of its near pixels off by more than 32 levels, around the half none.
    */
   vtkIndirectSeenBox Near;
+
+  /** Returns true if the nearer box is so much smaller that maps of it alone are finer. */
+  bool IsNearFiner() const
+  {
+    return this->Near.IsPart() &&
+      this->Near.Share <=
+      vtkIndirectSeenBox::MostOfPart * (this->Box.IsPart() ? this->Box.Share : 1.0);
+  }
 
   /** Returns a quarter of the area of a box's largest side. */
   static double FindArea(const glm::dvec3& half)
@@ -127,7 +136,7 @@ struct vtkIndirectSeen
       pixels.push_back(place.Pixel);
     }
     // Pixels are wider where they are farther.
-    const auto widest = pixels.begin() + static_cast<std::ptrdiff_t>(pixels.size() * 3 / 4);
+    const auto widest = pixels.begin() + static_cast<std::ptrdiff_t>(pixels.size() / 2);
     std::nth_element(pixels.begin(), widest, pixels.end());
     this->Near = this->FindBox(*widest, reach);
     this->Box = this->FindBox(std::numeric_limits<double>::max(), reach);

@@ -46,10 +46,7 @@ const vtkIndirectChannels OpenSkyChannels = {
     GL_RG32F, "world", "their unit" },
 };
 
-// The same number is in vtkIndirectSkyDirections.glsl.
-constexpr size_t RowsPerDirection = 5;
-
-// Directions of a draw, at most 204: 16384 bytes, which every OpenGL allows. Long draws stall a
+// Directions of a draw, at most 146: 16384 bytes, which every OpenGL allows. Long draws stall a
 // desktop.
 constexpr int SumBlock = 128;
 // Largest number of directions that a pixel without neighbours on its surface looks up by itself;
@@ -64,16 +61,14 @@ constexpr int MovingCreases = 4;
 //------------------------------------------------------------------------------
 vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
   : vtkIndirectFrameLight(owner)
-  , DepthMaps(maps)
   , Irradiance(this, SkyChannels, false)
   , Sums{ { this, StillChannels, false }, { this, SkySumChannels, false } }
   , Rows(this, SkySumChannels, false)
   , OpenSky(this, OpenSkyChannels, false)
   , Open(this, SkyChannels, false)
   , OpenColors(this, OpenColorChannels, false)
-  , Groups{ { {}, {}, StrongTexels, vtkIndirectDepthMaps::STRONG_SKY,
-              maps.Get(vtkIndirectDepthMaps::STRONG_SKY) },
-    { {}, {}, 0, vtkIndirectDepthMaps::SKY, maps.Get(vtkIndirectDepthMaps::SKY) } }
+  , Strong(maps, vtkIndirectDepthMaps::STRONG_SKY)
+  , Others(maps, vtkIndirectDepthMaps::SKY)
 {
 }
 
@@ -87,64 +82,26 @@ void vtkIndirectSkyGather::UpdateDirections(const Input& input)
     return;
   }
   this->OpenSkyIsThere = false;
-  std::vector<glm::dvec3> directions[NumberOfGroups];
+  std::vector<glm::dvec3> strong;
   for (const Summand& summand : this->Directions.GetStrong())
   {
-    directions[Strong].push_back(summand.Direction);
+    strong.push_back(summand.Direction);
   }
+  this->Strong.SetDirections(std::move(strong));
   // Each direction has a place, with light or not: it may get light when the environment turns.
-  directions[Others] = this->Directions.GetLattice();
-  for (int i = 0; i < NumberOfGroups; ++i)
-  {
-    Group& group = this->Groups[i];
-    if (group.Directions != directions[i])
-    {
-      group.Directions = std::move(directions[i]);
-      group.Maps.clear();
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSkyGather::FitTiles(const vtkIndirectFrame& frame)
-{
-  vtkIndirectKey key;
-  frame.AppendFitsTo(key);
-  const bool fits = !this->FitKey.Take(std::move(key));
-  for (Group& group : this->Groups)
-  {
-    if (fits && group.Maps.size() == group.Directions.size())
-    {
-      continue;
-    }
-    group.Maps.resize(group.Directions.size());
-    for (size_t k = 0; k < group.Directions.size(); ++k)
-    {
-      group.Maps[k].Tile = vtkIndirectDepthTile::FromDirection(frame, group.Directions[k]);
-      group.Maps[k].Turn = k;
-    }
-  }
-  Group& others = this->Groups[Others];
-  for (vtkIndirectDepthMaps::Map& map : others.Maps)
-  {
-    map.Sends = false;
-  }
-  for (const Summand& summand : this->Directions.GetOthers())
-  {
-    others.Maps[summand.Number].Sends = true;
-  }
+  this->Others.SetDirections(this->Directions.GetLattice());
 }
 
 //------------------------------------------------------------------------------
 // Chooses the others that have maps. Until the first map is drawn it chooses all of them: nothing
-// hides a direction without a map, see MakeBlock.
+// hides a direction without a map.
 void vtkIndirectSkyGather::ChooseSummed()
 {
   const std::vector<Summand>& others = this->Directions.GetOthers();
   std::vector<size_t> there;
   for (const Summand& summand : others)
   {
-    if (this->Groups[Others].Atlas.HasTile(summand.Number))
+    if (this->Others.HasTiles(summand.Number))
     {
       there.push_back(summand.Number);
     }
@@ -162,7 +119,7 @@ void vtkIndirectSkyGather::ChooseSummed()
 void vtkIndirectSkyGather::AppendTo(vtkIndirectKey& key, const Input& input) const
 {
   // Casters that come to rest get tighter boxes, and the maps other fits.
-  input.Frame.AppendFitsTo(key);
+  vtkIndirectSkyMaps::AppendFitsTo(key, input.Frame);
   key.Add("sky", input.Environment).Add("pace", input.Plan.NumberOfSkyDirections);
   key.Add("sky", input.Plan.NumberOfStillSkyDirections).Add("pace", input.Plan.SkyBlock);
 }
@@ -174,22 +131,25 @@ bool vtkIndirectSkyGather::Update(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   this->UpdateDirections(input);
   this->Visible = input.Plan.SkyIsShadowed;
-  this->FitTiles(frame);
-  this->Groups[Others].Texels = input.Plan.SkyTileTexels;
-  for (int i = 0; i < NumberOfGroups; ++i)
+  std::vector<size_t> others;
+  for (const Summand& summand : this->Directions.GetOthers())
   {
-    const Group& group = this->Groups[i];
-    const bool empty =
-      (i == Strong ? this->Directions.GetStrong() : this->Directions.GetOthers()).empty();
+    others.push_back(summand.Number);
+  }
+  this->Strong.Fit(frame);
+  this->Others.Fit(frame);
+  this->Others.SetSending(others);
+  const auto request = [&](vtkIndirectSkyMaps& maps, bool empty, int texels)
+  {
     if (!this->Visible || empty)
     {
-      this->DepthMaps.Release(group.Client, frame.Window);
+      maps.Release(frame.Window);
+      return;
     }
-    else
-    {
-      this->DepthMaps.Request(group.Client, frame, group.Maps, group.Texels);
-    }
-  }
+    maps.Request(frame, texels);
+  };
+  request(this->Strong, this->Directions.GetStrong().empty(), StrongTexels);
+  request(this->Others, others.empty(), input.Plan.SkyTileTexels);
   input.Timer.End(vtkIndirectStageTimer::Visibility);
   return true;
 }
@@ -208,44 +168,10 @@ vtkIndirectSkyGather::Terms vtkIndirectSkyGather::MakeTerms(
 }
 
 //------------------------------------------------------------------------------
-std::vector<glm::vec4> vtkIndirectSkyGather::MakeBlock(
-  const Group& group, const Terms& terms, size_t first, size_t size) const
-{
-  using namespace vtkIndirectKernels;
-  std::vector<glm::vec4> block(size * RowsPerDirection, glm::vec4(0.0f));
-  const double texels = group.Atlas.GetTexels() > 0 ? group.Atlas.GetTexels() : group.Texels;
-  const size_t columns = static_cast<size_t>(std::max(1, group.Atlas.GetNumberOfColumns()));
-  for (size_t k = 0; k < size && first + k < terms.size(); ++k)
-  {
-    const Term& term = terms[first + k];
-    const bool there = group.Atlas.HasTile(term.Tile);
-    const vtkIndirectDepthTile& tile =
-      there ? group.Atlas.GetTile(term.Tile) : group.Maps[term.Tile].Tile;
-    const double range = tile.Far - tile.Near;
-    const glm::dvec2 texel = 2.0 / texels * tile.HalfWidth;
-    const double bias = VTKI_TILE_ROUGHNESS * std::max(texel.x, texel.y) / range;
-    auto row = [&](const glm::dvec3& axis, double unit, double origin)
-    { return glm::vec4(glm::dvec4(axis / unit, origin - glm::dot(axis, tile.Place) / unit)); };
-    // A direction without a map is looked up beyond the map's border, where nothing hides it.
-    block[k] = there ? row(tile.Right, texel.x, 0.5 * texels)
-                     : glm::vec4(0.0f, 0.0f, 0.0f, static_cast<float>(-texels));
-    block[size + k] = row(tile.Up, texel.y, 0.5 * texels);
-    block[2 * size + k] = row(tile.Forward, range, -bias);
-    block[3 * size + k] = glm::vec4(
-      glm::dvec4(range * term.Light, range * (term.Light.x + term.Light.y + term.Light.z)));
-    const glm::dvec2 corner = texels *
-      glm::dvec2(
-        static_cast<double>(term.Tile % columns), static_cast<double>(term.Tile / columns));
-    block[4 * size + k] = glm::vec4(glm::dvec4(corner, texel * texel / (range * range)));
-  }
-  return block;
-}
-
-//------------------------------------------------------------------------------
 void vtkIndirectSkyGather::SetBlock(const Input& input, const vtkIndirectProgram& program,
-  const Group& group, const Terms& terms, size_t first, size_t size)
+  const vtkIndirectSkyMaps& maps, const Terms& terms, size_t first, size_t size)
 {
-  const std::vector<glm::vec4> block = this->MakeBlock(group, terms, first, size);
+  const std::vector<glm::vec4> block = maps.MakeBlock(terms, first, size);
   this->Block.Update(input.Frame.Window, block.data(), block.size() * sizeof(glm::vec4));
   this->Block.Activate(program);
   program->SetUniformi("vtkiSkyCount", static_cast<int>(std::min(terms.size() - first, size)));
@@ -342,24 +268,25 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
 //------------------------------------------------------------------------------
 std::string vtkIndirectSkyGather::GetDefinitions(int block, int step) const
 {
-  return std::string(this->Visible ? "#define VTKI_VISIBILITY\n" : "") + "#define VTKI_SKY_BLOCK " +
-    std::to_string(block) + "\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n";
+  return std::string(this->Visible ? "#define VTKI_VISIBILITY\n" : "") +
+    this->Others.GetDefinition() + "#define VTKI_SKY_BLOCK " + std::to_string(block) +
+    "\n#define VTKI_SKY_STEP " + std::to_string(step) + "\n";
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::MapsHaveChanged() const
 {
-  return this->Groups[Strong].Atlas.HasChanged() || this->Groups[Others].Atlas.HasChanged();
+  return this->Strong.GetAtlas().HasChanged() || this->Others.GetAtlas().HasChanged();
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::Activate(
-  const Input& input, const Group* group, const vtkIndirectProgram& program)
+  const Input& input, const vtkIndirectSkyMaps* maps, const vtkIndirectProgram& program)
 {
   input.Geometry.ActivateReceivers(program, input.Frame);
-  if (group && this->Visible)
+  if (maps && this->Visible)
   {
-    group->Atlas.Activate(program);
+    maps->GetAtlas().Activate(program);
     input.Creases.Activate(program);
   }
 }
@@ -367,7 +294,6 @@ void vtkIndirectSkyGather::Activate(
 //------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::SumOthers(const Input& input)
 {
-  const Group& group = this->Groups[Others];
   const int step = input.Plan.SkyBlock;
   vtkIndirectTarget& sums = this->Sums[step > 1];
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
@@ -376,7 +302,8 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   Terms terms = this->MakeTerms(this->Summed, false);
   const std::vector<glm::dvec3>& lattice = this->Directions.GetLattice();
   std::sort(terms.begin(), terms.end(),
-    [&lattice](const Term& a, const Term& b) { return lattice[a.Tile].y > lattice[b.Tile].y; });
+    [&lattice](const vtkIndirectSkyMaps::Term& a, const vtkIndirectSkyMaps::Term& b)
+    { return lattice[a.Number].y > lattice[b.Number].y; });
   std::vector<Terms> classes(static_cast<size_t>(step) * step);
   for (size_t k = 0; k < terms.size(); ++k)
   {
@@ -401,7 +328,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
     sums.Clear();
   }
   const vtkIndirectAddition addition(input.Frame.Window, adds);
-  this->Activate(input, &group, program);
+  this->Activate(input, &this->Others, program);
   this->Reprojection.Activate(program);
   for (int i = 0; i < step * step; ++i)
   {
@@ -415,7 +342,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
     const Terms& list = classes[static_cast<size_t>(i)];
     for (size_t first = 0; first < list.size(); first += size)
     {
-      this->SetBlock(input, program, group, list, first, size);
+      this->SetBlock(input, program, this->Others, list, first, size);
       kernel.Draw();
       glFlush();
     }
@@ -447,13 +374,12 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
 bool vtkIndirectSkyGather::FilterColumns(const Input& input)
 {
   const bool moving = input.Plan.SkyBlock > 1;
-  const Group* const group = moving ? &this->Groups[Others] : nullptr;
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
   kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
   const auto set = [&](const vtkIndirectProgram& program)
   {
-    this->Activate(input, group, program);
+    this->Activate(input, moving ? &this->Others : nullptr, program);
     for (int i = 0; i < sums.GetNumberOfChannels(); ++i)
     {
       sums.Activate(i, program);
@@ -466,7 +392,7 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
     if (moving)
     {
       const Terms terms = this->MakeTerms(this->Summed, false);
-      this->SetBlock(input, program, *group, terms, 0, OwnBlock);
+      this->SetBlock(input, program, this->Others, terms, 0, OwnBlock);
     }
   };
   return this->Keeps
@@ -503,16 +429,15 @@ bool vtkIndirectSkyGather::Smooth(const Input& input)
 //------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::SumStrong(const Input& input)
 {
-  const Group& group = this->Groups[Strong];
   const Terms terms = this->MakeTerms(this->Directions.GetStrong(), true);
   this->StrongKernel.SetDefinitions(this->GetDefinitions(SumBlock, 1) + "#define VTKI_FILTERED\n");
   const vtkIndirectAddition addition(input.Frame.Window);
   return this->StrongKernel.Run(input.Frame.Window, this->Irradiance,
     [&](const vtkIndirectProgram& program)
     {
-      this->Activate(input, &group, program);
+      this->Activate(input, &this->Strong, program);
       // There are at most 32 strong directions.
-      this->SetBlock(input, program, group, terms, 0, SumBlock);
+      this->SetBlock(input, program, this->Strong, terms, 0, SumBlock);
     });
 }
 
@@ -549,29 +474,28 @@ bool vtkIndirectSkyGather::SumOpen(const Input& input)
       vtkIndirectSetUniform(program, "vtkiOpenFlux", this->OpenFlux);
       vtkIndirectSetUniform(program, "vtkiColorFlux", this->ColorFlux);
       program->SetUniformf("vtkiSkyUnit", static_cast<float>(this->Directions.GetUnit()));
-      this->SetBlock(input, program, this->Groups[Strong], terms, 0, OwnBlock);
+      this->SetBlock(input, program, this->Strong, terms, 0, OwnBlock);
     });
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
 {
-  const size_t counts[NumberOfGroups] = { this->Directions.GetStrong().size(),
+  const size_t counts[] = { this->Directions.GetStrong().size(),
     this->Directions.GetOthers().size() };
   std::string maps;
-  for (int i = 0; i < NumberOfGroups; ++i)
+  for (int i = 0; this->Visible && i < 2; ++i)
   {
-    if (this->Visible && counts[i] > 0)
-    {
-      maps += (maps.empty() ? "; depth maps: " : ", ") + std::to_string(counts[i]) + " of " +
-        std::to_string(this->Groups[i].Atlas.GetTexels()) + " texels squared";
-    }
+    const vtkIndirectSkyMaps& group = i == 0 ? this->Strong : this->Others;
+    maps += counts[i] == 0 ? ""
+                           : (maps.empty() ? "; depth maps: " : ", ") + std::to_string(counts[i]) +
+        " of " + group.DescribeTexels();
   }
   std::string what = std::to_string(this->Summed.size()) + " directions";
   what += this->Step > 1 ? ", a pixel of " + std::to_string(this->Step * this->Step) +
       " asks each, averaged over its surface"
                          : "";
-  what += counts[Strong] > 0 ? "; strong ones: " + std::to_string(counts[Strong]) : "";
+  what += counts[0] > 0 ? "; strong ones: " + std::to_string(counts[0]) : "";
   report.Modelled.emplace_back("light from the sky", what + maps);
   if (this->Reprojection.IsReprojected())
   {
@@ -583,9 +507,7 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
 void vtkIndirectSkyGather::ReleaseOwn(vtkWindow* window)
 {
   this->OpenSkyIsThere = this->OpenColorsAreThere = false;
-  for (const Group& group : this->Groups)
-  {
-    this->DepthMaps.Release(group.Client, window);
-  }
+  this->Strong.Release(window);
+  this->Others.Release(window);
   this->Directions.Forget();
 }

@@ -16,6 +16,9 @@
 // A direction represents a part of the sky and has the sharp shadow of the part's middle: the share
 // is smoothed over neighbours on the surface, by the part's width at the distance of what hides.
 //
+// Where the picture reaches far, each direction has a second map, of the nearer part of the picture
+// alone.
+//
 // A direction with much of the light, such as a sun's, has a finer map and filtered edges of its
 // shadows, at every pixel.
 //
@@ -23,12 +26,11 @@
 // texel (too dark in relief, too bright at contacts).
 #pragma once
 
-#include "Maps/vtkIndirectDepthMaps.h"           // for depth maps
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
-#include "OpenGL/vtkIndirectKey.h"               // for keys
 #include "OpenGL/vtkIndirectTarget.h"            // for a member
 #include "OpenGL/vtkIndirectUniformBlock.h"      // for a member
 #include "Sky/vtkIndirectSkyDirections.h"        // for a member
+#include "Sky/vtkIndirectSkyMaps.h"              // for members
 #include "Sky/vtkIndirectSkyReprojection.h"      // for a member
 #include "Sky/vtkIndirectSkySmoothing.h"         // for a member
 #include "Sums/vtkIndirectFrameLight.h"          // for the base class
@@ -52,8 +54,8 @@ public:
   bool Update(const Input& input) override;
   int GetNumberOfTilesLeft() const override
   {
-    return this->Groups[Strong].Atlas.GetNumberOfTilesLeft() +
-      this->Groups[Others].Atlas.GetNumberOfTilesLeft();
+    return this->Strong.GetAtlas().GetNumberOfTilesLeft() +
+      this->Others.GetAtlas().GetNumberOfTilesLeft();
   }
   vtkIndirectEstimate MakeEstimate(const Input& input) override;
   void AddToReport(vtkIndirectReport& report) const override;
@@ -64,36 +66,19 @@ protected:
 private:
   using Summand = vtkIndirectSkyDirections::Summand;
 
-  // Directions with maps of one kind.
-  struct Group
-  {
-    std::vector<glm::dvec3> Directions; // directions with a place in the atlas
-    std::vector<vtkIndirectDepthMaps::Map> Maps;
-    int Texels;
-    vtkIndirectDepthMaps::ClientType Client;
-    const vtkIndirectDepthAtlas& Atlas; // maps as they were drawn
-  };
-  // This is a direction that is summed: its place in its group's atlas, and its light.
-  struct Term
-  {
-    size_t Tile;
-    glm::dvec3 Light; // irradiance of a surface that faces it
-  };
-  using Terms = std::vector<Term>;
+  using Terms = vtkIndirectSkyMaps::Terms;
 
   void UpdateDirections(const Input& input);
-  void FitTiles(const vtkIndirectFrame& frame);
   void ChooseSummed();
   Terms MakeTerms(const std::vector<Summand>& summands, bool strong) const;
-  std::vector<glm::vec4> MakeBlock(
-    const Group& group, const Terms& terms, size_t first, size_t size) const;
-  void SetBlock(const Input& input, const vtkIndirectProgram& program, const Group& group,
-    const Terms& terms, size_t first, size_t size);
+  void SetBlock(const Input& input, const vtkIndirectProgram& program,
+    const vtkIndirectSkyMaps& maps, const Terms& terms, size_t first, size_t size);
   bool UpdateOpenSky(const Input& input);
   bool SumAll(const Input& input);
   std::string GetDefinitions(int block, int step) const;
   bool MapsHaveChanged() const;
-  void Activate(const Input& input, const Group* group, const vtkIndirectProgram& program);
+  void Activate(
+    const Input& input, const vtkIndirectSkyMaps* maps, const vtkIndirectProgram& program);
   bool SumOthers(const Input& input);
   bool FilterRows(const Input& input);
   bool FilterColumns(const Input& input);
@@ -102,7 +87,6 @@ private:
   bool SumStrong(const Input& input);
   bool SumOpen(const Input& input);
 
-  vtkIndirectDepthMaps& DepthMaps;
   vtkIndirectTarget Irradiance;
   vtkIndirectTarget Sums[2]; // sums of pixels' own directions; of still and moving frames
   vtkIndirectTarget Rows;    // sums over neighbours in the row
@@ -111,13 +95,8 @@ private:
   vtkIndirectTarget OpenSky;
   vtkIndirectTarget Open;       // Irradiance if nothing hid the sky, for surfaces that catch light
   vtkIndirectTarget OpenColors; // colours of the directions in OpenSky
-  enum GroupType
-  {
-    Strong,
-    Others,
-    NumberOfGroups
-  };
-  Group Groups[NumberOfGroups];
+  vtkIndirectSkyMaps Strong;    // of directions with much of the light
+  vtkIndirectSkyMaps Others;
   vtkIndirectSkyDirections Directions;
   std::vector<Summand> Summed; // summed directions of the others: those with maps represent all
   vtkIndirectUniformBlock Block{ this, "vtkiSkyBlock" };
@@ -132,7 +111,6 @@ private:
 
   vtkIndirectFullScreenProgram OpenKernel{ this, "vtkIndirectSkyOpenFS.glsl" };
 
-  vtkIndirectKey FitKey; // the inputs of the tiles' fit
   bool OpenSkyIsThere = false;
   bool OpenColorsAreThere = false;
   glm::mat3 ColorFlux{ 0.0f };
