@@ -231,6 +231,14 @@ VTK_INDIRECT_TEST(ClustersLeaveOutTheOutside)
   vtkIndirectSenderTexels::RemoveOutermost(
     senders, { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
   CheckEqual("of a floor alone", static_cast<double>(senders.size()), 0);
+  // A small thing on a wide floor is farthest along the floor's normal alone.
+  senders.clear();
+  AddSquare(senders, 20, 1, 0.0, 1.0, glm::vec3(0.5f));
+  const size_t floor = senders.size();
+  vtkIndirectSenderTexels::RemoveOutermost(
+    senders, { { 0, 0, 0 }, { 1, 1, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0.5f, 0.5f, 0.01f } });
+  CheckEqual("of a floor with a thing on it", static_cast<double>(senders.size()),
+    static_cast<double>(floor));
 }
 
 // A cluster of bright and dim places would have its place in the bright part alone.

@@ -172,6 +172,13 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
   // Receivers that cast no shadows are missing from the maps.
   if (input.Frame.NumberOfOtherReceivers == 0)
   {
+    // No texel may show a small caster. The middle of its bounds lies in its hull.
+    for (const vtkIndirectCaster& caster : input.Frame.Casters)
+    {
+      places.emplace_back(input.Frame.ToScene(0.5 *
+        (vtkIndirectFrame::GetCorner(caster.Bounds, 0) +
+          vtkIndirectFrame::GetCorner(caster.Bounds, 7))));
+    }
     vtkIndirectSenderTexels::RemoveOutermost(senders, places);
   }
   if (this->Steady)

@@ -9,6 +9,8 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSenderTexels::Read(const vtkIndirectSampler::Input& input,
@@ -65,12 +67,27 @@ void vtkIndirectSenderTexels::RemoveOutermost(
   std::vector<vtkIndirectSenderClusters::Sender>& senders, const std::vector<glm::vec3>& places)
 {
   // Finds corners of the hull: the farthest places in these directions. Round hulls lose little by
-  // that, boxes nothing.
-  constexpr int directions = 128;
-  std::vector<glm::vec3> corners;
-  for (const glm::dvec3& exact : vtkIndirectDirections::MakeLattice(directions))
+  // that, boxes nothing. Along the normal of a wide ground lies the top of a small thing on it,
+  // which is farthest in no other direction.
+  constexpr int lattice = 128;
+  constexpr float parts = 4.0f; // of an axis: one normal in each cell
+  std::vector<glm::vec3> directions;
+  for (const glm::dvec3& exact : vtkIndirectDirections::MakeLattice(lattice))
   {
-    const glm::vec3 direction(exact);
+    directions.emplace_back(exact);
+  }
+  std::set<std::array<int, 3>> cells;
+  for (const vtkIndirectSenderClusters::Sender& sender : senders)
+  {
+    const glm::ivec3 cell(glm::floor(parts * sender.Normal));
+    if (cells.insert({ cell.x, cell.y, cell.z }).second)
+    {
+      directions.push_back(sender.Normal);
+    }
+  }
+  std::vector<glm::vec3> corners;
+  for (const glm::vec3& direction : directions)
+  {
     float farthest = 0.0f;
     const glm::vec3* corner = nullptr;
     for (const glm::vec3& place : places)
