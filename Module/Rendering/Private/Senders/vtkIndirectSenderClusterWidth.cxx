@@ -22,6 +22,101 @@ constexpr size_t NumberOfAsked = 256;
 // The triangles that the depth maps of all lights draw: they take 1 to 2 s of a processor's core,
 // or up to twice as long where the eye sees a small part of the scene.
 constexpr double MostDrawn = 33554432.0;
+
+// Sheets behind each other hide each other's light, and a light has one depth map: the squared
+// distance between the sheets of a cluster, along their normal, counts so much more. relMSE to all
+// bounces, best 99 %, against 0: fins 0.155 -> 0.100, frog 0.021 -> 0.016, protein 0.019 -> 0.009;
+// by 32 the protein has 805 lights in place of 344, and takes twice the time.
+constexpr double SheetWeight = 8.0;
+
+// Returns the sum of squared distances from the mean along the mean normal, less where normals
+// differ, since a curved surface is no pile of sheets. mean, first, second: means, sums and sums of
+// squares along the axes of places and normals; mixed: sums of y z, z x and x y.
+double FindApartness(const double* mean, const double* first, const double* second,
+  const glm::dvec3& mixed, double normalLength)
+{
+  const glm::dvec3 normal(mean[3], mean[4], mean[5]);
+  const double squared = glm::dot(normal, normal);
+  double apart = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    apart += normal[axis] * normal[axis] * (second[axis] - first[axis] * mean[axis]);
+  }
+  const glm::dvec3 covariance =
+    mixed - glm::dvec3(first[1] * mean[2], first[2] * mean[0], first[0] * mean[1]);
+  apart += 2.0 *
+    (normal.y * normal.z * covariance.x + normal.z * normal.x * covariance.y +
+      normal.x * normal.y * covariance.z);
+  // Lobes lengthen normals.
+  return std::max(apart, 0.0) / std::max(squared, normalLength * normalLength);
+}
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
+  size_t begin, size_t end) const
+{
+  Cluster cluster;
+  cluster.Begin = begin;
+  cluster.End = end;
+  double total = 0.0;
+  double first[NumberOfAxes] = {};
+  double second[NumberOfAxes] = {};
+  glm::dvec3 mixed(0.0); // sums of y z, z x and x y
+  for (size_t i = begin; i < end; ++i)
+  {
+    const Entry& entry = this->Entries[i];
+    const double weight = entry.Weight;
+    total += weight;
+    const float* const at = entry.Coordinates;
+    mixed += weight * glm::dvec3(at[1] * at[2], at[2] * at[0], at[0] * at[1]);
+    for (int axis = 0; axis < NumberOfAxes; ++axis)
+    {
+      const double x = entry.Coordinates[axis];
+      first[axis] += weight * x;
+      second[axis] += weight * x * x;
+    }
+  }
+  cluster.Weight = total;
+  double widest = 0.0;
+  for (int axis = 0; axis < NumberOfAxes; ++axis)
+  {
+    cluster.Mean[axis] = first[axis] / total;
+    const double width = std::max(second[axis] - first[axis] * cluster.Mean[axis], 0.0);
+    cluster.Width += width;
+    cluster.Spread += axis < 3 ? width / total : 0.0;
+    if (width > widest)
+    {
+      widest = width / (1.0 + Margin);
+      cluster.Axis = axis;
+    }
+  }
+  const double sheets =
+    SheetWeight * FindApartness(cluster.Mean, first, second, mixed, NormalLength);
+  cluster.Width += sheets;
+  if (sheets > widest)
+  {
+    // The axis along which the sheets are farthest apart divides them.
+    widest = 0.0;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const double normal = cluster.Mean[3 + axis];
+      const double along = normal * normal * (second[axis] - first[axis] * cluster.Mean[axis]);
+      if (along > widest * (1.0 + Margin))
+      {
+        widest = along;
+        cluster.Axis = axis;
+      }
+    }
+    widest = std::max(second[cluster.Axis] - first[cluster.Axis] * cluster.Mean[cluster.Axis], 0.0);
+  }
+  cluster.Width *= this->Seen.FindImportance({ cluster.Mean[0], cluster.Mean[1], cluster.Mean[2] });
+  // The border lies a little beyond the mean, where no rows of texels end.
+  cluster.Border = cluster.Mean[cluster.Axis] + Margin * std::sqrt(widest / total);
+  // The order has steps of a hundredth; the odd offset moves usual values of the logarithm off the
+  // steps' borders.
+  cluster.Order = cluster.Width > 0.0 ? std::floor(std::log(cluster.Width) / Margin + 0.37) : -1e9;
+  return cluster;
 }
 
 //------------------------------------------------------------------------------

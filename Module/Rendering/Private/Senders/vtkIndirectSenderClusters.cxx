@@ -12,10 +12,6 @@
 
 namespace
 {
-// The length of a unit normal in scene units: surfaces that face each other are as far apart as the
-// ends of half a scene.
-constexpr double NormalLength = 0.25;
-
 // The distance from a cluster's mean to the place in front of it where its middle is sought, in
 // standard deviations of its places: about the higher one of two random places. Receivers see the
 // front parts of folds, organs and atoms; lights at their mean, in a furrow, would light the furrow
@@ -40,10 +36,6 @@ constexpr double GrowthOfNumber = 1.4;
 
 // A lobe counts the turn of normals so much more than diffuse light does.
 constexpr double LobeTurn = 3.0;
-
-// A choice must be so much better to replace another one. Texels in rows have many choices that
-// are equal except for rounding; if rounding decided, lights would jump.
-constexpr double Margin = 0.01;
 
 double Sum(const glm::dvec3& light)
 {
@@ -132,51 +124,6 @@ size_t vtkIndirectSenderClusters::GetBytes() const
 {
   return this->Senders.size() * sizeof(Sender) + this->Entries.size() * sizeof(Entry) +
     this->Clusters.size() * sizeof(Cluster);
-}
-
-//------------------------------------------------------------------------------
-vtkIndirectSenderClusters::Cluster vtkIndirectSenderClusters::Measure(
-  size_t begin, size_t end) const
-{
-  Cluster cluster;
-  cluster.Begin = begin;
-  cluster.End = end;
-  double total = 0.0;
-  double first[NumberOfAxes] = {};
-  double second[NumberOfAxes] = {};
-  for (size_t i = begin; i < end; ++i)
-  {
-    const Entry& entry = this->Entries[i];
-    const double weight = entry.Weight;
-    total += weight;
-    for (int axis = 0; axis < NumberOfAxes; ++axis)
-    {
-      const double x = entry.Coordinates[axis];
-      first[axis] += weight * x;
-      second[axis] += weight * x * x;
-    }
-  }
-  cluster.Weight = total;
-  double widest = 0.0;
-  for (int axis = 0; axis < NumberOfAxes; ++axis)
-  {
-    cluster.Mean[axis] = first[axis] / total;
-    const double width = std::max(second[axis] - first[axis] * cluster.Mean[axis], 0.0);
-    cluster.Width += width;
-    cluster.Spread += axis < 3 ? width / total : 0.0;
-    if (width > widest)
-    {
-      widest = width / (1.0 + Margin);
-      cluster.Axis = axis;
-    }
-  }
-  cluster.Width *= this->Seen.FindImportance({ cluster.Mean[0], cluster.Mean[1], cluster.Mean[2] });
-  // The border lies a little beyond the mean, where no rows of texels end.
-  cluster.Border = cluster.Mean[cluster.Axis] + Margin * std::sqrt(widest / total);
-  // The order has steps of a hundredth; the odd offset moves usual values of the logarithm off the
-  // steps' borders.
-  cluster.Order = cluster.Width > 0.0 ? std::floor(std::log(cluster.Width) / Margin + 0.37) : -1e9;
-  return cluster;
 }
 
 //------------------------------------------------------------------------------

@@ -145,6 +145,12 @@ public:
 private:
   // A sender has three coordinates of its place, three of its normal, one of its brightness.
   static constexpr int NumberOfAxes = 7;
+  // The length of a unit normal in scene units: surfaces that face each other are as far apart as
+  // the ends of half a scene.
+  static constexpr double NormalLength = 0.25;
+  // A choice must be so much better to replace another one. Texels in rows have many choices that
+  // are equal except for rounding; if rounding decided, lights would jump.
+  static constexpr double Margin = 0.01;
   struct Entry
   {
     float Coordinates[NumberOfAxes];
