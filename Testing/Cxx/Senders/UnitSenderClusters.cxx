@@ -198,6 +198,29 @@ VTK_INDIRECT_TEST(ClustersAreSeenFromInFront)
     "its mean is within a texel of its middle one");
 }
 
+// A light has one depth map, which sees nothing of what another sheet lights.
+VTK_INDIRECT_TEST(ClustersDivideSheetsFirst)
+{
+  constexpr int count = 4;
+  constexpr double apart = 0.25;
+  std::vector<Clusters::Sender> senders;
+  for (int i = 0; i < count; ++i)
+  {
+    AddSquare(senders, 40, 1, apart * i, 1.0, glm::vec3(0.5f));
+  }
+  Clusters clusters;
+  clusters.SetSenders(senders);
+  std::vector<int> lights(count, 0);
+  for (const Clusters::Light& light : clusters.MakeLights({ glm::dvec3(1.0) }, count, 0.0).Lights)
+  {
+    const double sheet = light.Position.z / apart;
+    CheckAtMost(
+      "distance from the next sheet", std::abs(sheet - std::round(sheet)), 1e-6, "floats");
+    ++lights[static_cast<size_t>(std::lround(sheet))];
+  }
+  Check("a light on each sheet", lights == std::vector<int>(count, 1));
+}
+
 // Surfaces without receivers in front of them are no senders.
 VTK_INDIRECT_TEST(ClustersLeaveOutTheOutside)
 {
