@@ -180,9 +180,12 @@ VTK_INDIRECT_TEST(BranchesAndVisibility)
       scene.Splats->SetIntensityThreshold(0.0);
       const ImageError error =
         Compare(scene.SplatLights(static_cast<SplatWay>(way)), expected, Least);
-      CheckAtMost(what + ": pixels off from the gather, all counting", error.NumberOff, 2,
-        "one of 32 lights at two pixels beside each other, of 4425: tree and maps by ellipsoids");
-      CheckAtMost(what + ": worst difference there", error.Worst, 0.1, "measured 0.083");
+      const bool isExempt =
+        name == "tree and maps" && way == static_cast<int>(SplatWay::ELLIPSOIDS);
+      CheckAtMost(what + ": pixels off from the gather, all counting", error.NumberOff,
+        isExempt ? 2 : 0, "one of 32 lights at two pixels beside each other, of 4425");
+      CheckAtMost(what + ": worst difference to the gather, all counting", error.Worst,
+        isExempt ? 0.1 : 1e-5, "the order of sums; at the two pixels measured 0.083");
       scene.Splats->SetIntensityThreshold(0.02);
       const Image image = scene.SplatLights(static_cast<SplatWay>(way));
       CheckRelative(what + ": mean by default", Sum(image), Sum(expected), 0.02,
