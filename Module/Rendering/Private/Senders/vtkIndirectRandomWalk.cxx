@@ -559,8 +559,10 @@ void vtkIndirectRandomWalk::Walk(const vtkIndirectSurfaces& surfaces, const vtkI
       squares += flux * flux / vertex.Footprint;
     }
     fluxes.push_back(sum > 0.0 ? squares / sum * static_cast<double>(paths) : 0.0);
-    const List pilot = this->TracePilot(surfaces, emission, place, fluxes.back(),
-      std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce, paths);
+    const List pilot = sum > 0.0
+      ? this->TracePilot(surfaces, emission, place, fluxes.back(),
+          std::max(settings.FirstBounce, emitters[i].FirstBounce), settings.LastBounce, paths)
+      : List();
     double power = 0.0;
     for (const Vertex& vertex : pilot)
     {
