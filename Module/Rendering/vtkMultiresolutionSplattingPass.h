@@ -38,7 +38,8 @@
  * it, with the defaults for 0.02. A threshold that the user has set stays, whatever its value; the
  * report then names it.
  *
- * Memory: at most 24 bytes a pixel.
+ * Memory: at most 32 bytes a pixel, of which 8 are for the first moving frame; moving frames in which
+ * only the camera has changed take 28 more.
  */
 
 #ifndef vtkMultiresolutionSplattingPass_h
