@@ -172,12 +172,12 @@ vtkIndirectSubsplatSettings vtkIndirectSubsplatSum::MakeSettings(const Input& in
 
 //------------------------------------------------------------------------------
 // The guess of SurfaceDetail depends on the eye, and each batch of lights fills an image of its
-// own.
-bool vtkIndirectSubsplatSum::Reprojects(const Input& input, double unit) const
+// own. The first moving frame finds the irradiance of the still picture.
+bool vtkIndirectSubsplatSum::CanReproject(const Input& input) const
 {
-  return input.EyeMoved && this->IsCoarse(&input.Plan) && this->Set.Settings.SurfaceDetail == 0.0 &&
-    input.Lights->GetNumberOfLights() <= input.Visibility.GetMaximumNumberOfSenders() &&
-    this->Reprojection.Has(input.Frame, unit);
+  return input.Plan.Caching && !this->Set.Details->DepthRange &&
+    this->Set.Settings.SurfaceDetail == 0.0 &&
+    input.Lights->GetNumberOfLights() <= input.Visibility.GetMaximumNumberOfSenders();
 }
 
 //------------------------------------------------------------------------------
@@ -188,10 +188,15 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   vtkIndirectSubsplatSettings settings = this->MakeSettings(input);
   const double unit = 1.0 / settings.StorageScale;
   this->SetIrradianceStorage(settings.HalfFloats, unit, true);
-  this->IsReprojected = this->Reprojects(input, unit);
+  this->IsReprojected = input.EyeMoved && this->IsCoarse(&input.Plan) &&
+    this->CanReproject(input) && this->Reprojection.Has(frame, unit);
   if (this->IsReprojected)
   {
     this->KeepIrradiance();
+  }
+  else
+  {
+    this->Reprojection.ForgetKey();
   }
   if (!this->Irradiance->Resize(window, frame.Size[0], frame.Size[1]) ||
     !this->ResizeGlossy(input) || !this->Pyramid.Resize(window, frame.Size, settings) ||
@@ -204,8 +209,14 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     input.Timer.Begin(vtkIndirectStageTimer::Estimate);
     settings.Reprojected = this->Irradiance.get();
-    const bool drawn =
-      this->Reprojection.Draw(frame, input.Geometry, *this->IrradianceBefore, *this->Irradiance);
+    const bool newKey = this->Reprojection.WantsKey();
+    if (newKey)
+    {
+      std::swap(this->IrradianceBefore, this->IrradianceOfKey);
+    }
+    const bool drawn = this->Reprojection.Draw(frame, input.Geometry,
+      newKey ? nullptr : this->IrradianceBefore.get(), this->IrradianceOfKey.get(),
+      *this->Irradiance);
     input.Timer.End(vtkIndirectStageTimer::Estimate);
     if (!drawn)
     {
@@ -255,10 +266,11 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     return {};
   }
-  if (!input.EyeMoved || !this->IsCoarse(&input.Plan))
+  if (!this->CanReproject(input))
   {
     this->Reprojection.Release(window);
     this->IrradianceBefore.reset();
+    this->IrradianceOfKey.reset();
   }
   else if (!this->Reprojection.Keep(frame, input.Geometry, unit))
   {
@@ -396,7 +408,7 @@ void vtkIndirectSubsplatSum::AddToReport(vtkIndirectReport& report) const
     std::to_string(this->Pyramid.GetNumberOfLevels()) + " levels, by " + this->Renderer);
   if (this->IsReprojected)
   {
-    report.Modelled.emplace_back("reprojection", vtkIndirectReprojection::Meaning());
+    report.Modelled.emplace_back("reprojection", this->Reprojection.GetMeaning());
   }
   if (this->HasGlossy)
   {

@@ -48,8 +48,8 @@ private:
   /** Returns the finest level in force; null: the one that is set. */
   int FindFinestLevel(const vtkIndirectPlan* plan) const;
   vtkIndirectSubsplatSettings MakeSettings(const Input& input) const;
-  /** Returns true if the last frame's irradiance holds at places that the eye sees again. */
-  bool Reprojects(const Input& input, double unit) const;
+  /** Returns true if a frame's irradiance holds at places that the eye sees again. */
+  bool CanReproject(const Input& input) const;
   bool Fill(
     const Input& input, const vtkIndirectSubsplatSettings& settings, vtkIndirectTarget& pixels);
   bool FillInBatches(const Input& input, const vtkIndirectSubsplatSettings& settings);
@@ -60,7 +60,7 @@ private:
   vtkIndirectSubsplatPyramid Pyramid{ this };
   vtkIndirectSubsplatIllumination Illumination{ this };
   vtkIndirectSubsplatView View{ this };
-  vtkIndirectReprojection Reprojection{ this };
+  vtkIndirectReprojection Reprojection{ this, 32 };
   vtkIndirectGlossySubsplats GlossySubsplats{ this };
   vtkIndirectGlossyGather GlossyGather{ this };
   vtkIndirectLobeGather Lobes{ this };

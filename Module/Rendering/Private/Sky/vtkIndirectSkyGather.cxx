@@ -499,7 +499,7 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
   report.Modelled.emplace_back("light from the sky", what + maps);
   if (this->Reprojection.IsReprojected())
   {
-    report.Modelled.emplace_back("reprojection of the sky", vtkIndirectReprojection::Meaning());
+    report.Modelled.emplace_back("reprojection of the sky", this->Reprojection.GetMeaning());
   }
 }
 

@@ -22,7 +22,7 @@ const vtkIndirectChannels FreshChannels = {
 //------------------------------------------------------------------------------
 vtkIndirectSkyReprojection::vtkIndirectSkyReprojection(vtkIndirectResource* owner)
   : vtkIndirectResource(owner)
-  , Reprojection(this, true)
+  , Reprojection(this, 16, true)
   , Fresh(this, FreshChannels, false)
   , Spread(this, FreshChannels, false)
 {
@@ -45,7 +45,8 @@ bool vtkIndirectSkyReprojection::Begin(const Input& input)
   }
   if (this->Reprojected)
   {
-    return this->Reprojection.Draw(frame, input.Geometry, *this->Before, *this->Now) &&
+    return this->Reprojection.Draw(
+             frame, input.Geometry, this->Before.get(), nullptr, *this->Now) &&
       this->FindFreshBlocks(input);
   }
   this->Now->Begin();

@@ -39,6 +39,8 @@ public:
    * blocks; empty, and without effect, if all blocks sum directions.
    */
   std::string GetDefinition() const;
+  /** Returns what the report says of a frame that keeps shares. */
+  std::string GetMeaning() const { return this->Reprojection.GetMeaning(); }
   void Activate(const vtkIndirectProgram& program) const;
   /**
    * Draws over a target that is or shares the depth of the shares, at the pixels that have no share

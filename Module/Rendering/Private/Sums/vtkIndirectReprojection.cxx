@@ -15,12 +15,27 @@ const vtkIndirectChannels SurfaceChannels = {
     GL_RG32F, "view", "scene units" },
 };
 
+// Names of a picture's uniforms: the last frame's, the key picture's.
+struct Names
+{
+  const char* Surface;
+  const char* Irradiance;
+  const char* ToView;
+  const char* ToClip;
+  const char* RayOrigin;
+  const char* RayDirection;
+};
+const Names OfLast = { "vtkiSurfaceBefore", "vtkiIrradianceBefore", "vtkiViewToBefore",
+  "vtkiViewToClipBefore", "vtkiRayOriginBefore", "vtkiRayDirectionBefore" };
+const Names OfKey = { "vtkiSurfaceOfKey", "vtkiIrradianceOfKey", "vtkiViewToKey",
+  "vtkiViewToClipOfKey", "vtkiRayOriginOfKey", "vtkiRayDirectionOfKey" };
+
 // Returns the number of the strip that a frame sums anew. Bits in reverse order: strips of
-// consecutive frames lie far apart.
-int FindStrip(unsigned int round)
+// consecutive frames lie far apart. strips: a power of two.
+int FindStrip(unsigned int round, int strips)
 {
   int strip = 0;
-  for (int bit = 1; bit < vtkIndirectReprojection::NumberOfStrips; bit *= 2)
+  for (int bit = 1; bit < strips; bit *= 2)
   {
     strip = 2 * strip + static_cast<int>(round % 2);
     round /= 2;
@@ -30,46 +45,68 @@ int FindStrip(unsigned int round)
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectReprojection::vtkIndirectReprojection(vtkIndirectResource* owner, bool withRadius)
+vtkIndirectReprojection::vtkIndirectReprojection(
+  vtkIndirectResource* owner, int strips, bool withRadius)
   : vtkIndirectResource(owner)
-  , Surface(this, SurfaceChannels, false)
+  , NumberOfStrips(strips)
+  , Definitions(withRadius ? "#define VTKI_REPROJECT_RADIUS\n" : "")
 {
-  this->Reproject.SetDefinitions(withRadius ? "#define VTKI_REPROJECT_RADIUS\n" : "");
+  for (Picture* picture : { &this->Last, &this->Key })
+  {
+    picture->Surface = std::make_unique<vtkIndirectTarget>(this, SurfaceChannels, false);
+  }
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectReprojection::Meaning()
+std::string vtkIndirectReprojection::GetMeaning() const
 {
-  return "pixels that show places of the last frame keep the irradiance there; 1 of " +
-    std::to_string(NumberOfStrips) + " strips of the picture is summed anew";
+  return "pixels that show places of earlier frames keep the irradiance there; 1 of " +
+    std::to_string(this->NumberOfStrips) + " strips of the picture is summed anew";
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectReprojection::Has(const vtkIndirectFrame& frame, double unit) const
 {
-  return this->IsThere && this->Unit == unit && this->Surface.GetWidth() == frame.Size[0] &&
-    this->Surface.GetHeight() == frame.Size[1];
+  const vtkIndirectTarget& surface = *this->Last.Surface;
+  return this->Last.IsThere && this->Last.Unit == unit && surface.GetWidth() == frame.Size[0] &&
+    surface.GetHeight() == frame.Size[1];
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectReprojection::Keep(
   const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry, double unit)
 {
-  this->IsThere = this->Surface.Resize(frame.Window, frame.Size[0], frame.Size[1]) &&
-    this->Surface.CopyFrom(geometry.GetTarget(), vtkIndirectGeometryBuffer::Surface);
-  this->Unit = unit;
-  this->ViewToScene = frame.ViewToScene;
-  this->SceneToClip = frame.FindSceneToClip();
-  this->RayOrigin = glm::mat3(frame.RayOrigin);
-  this->RayDirection = glm::mat3(frame.RayDirection);
-  return this->IsThere;
+  Picture& last = this->Last;
+  last.IsThere = last.Surface->Resize(frame.Window, frame.Size[0], frame.Size[1]) &&
+    last.Surface->CopyFrom(geometry.GetTarget(), vtkIndirectGeometryBuffer::Surface);
+  last.Unit = unit;
+  last.ViewToScene = frame.ViewToScene;
+  last.SceneToClip = frame.FindSceneToClip();
+  last.RayOrigin = glm::mat3(frame.RayOrigin);
+  last.RayDirection = glm::mat3(frame.RayDirection);
+  return last.IsThere;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectReprojection::WantsKey()
+{
+  if (this->Key.IsThere && ++this->FramesOfKey < FramesPerKey)
+  {
+    return false;
+  }
+  std::swap(this->Last, this->Key);
+  this->Last.IsThere = false;
+  this->FramesOfKey = 0;
+  return true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectReprojection::Draw(const vtkIndirectFrame& frame,
-  const vtkIndirectGeometryBuffer& geometry, const vtkIndirectTarget& before,
-  vtkIndirectTarget& irradiance)
+  const vtkIndirectGeometryBuffer& geometry, const vtkIndirectTarget* before,
+  const vtkIndirectTarget* key, vtkIndirectTarget& irradiance)
 {
+  this->Reproject.SetDefinitions(
+    this->Definitions + (before && key ? "#define VTKI_REPROJECT_KEY\n" : ""));
   vtkIndirectProgram program = this->Reproject.Use(frame.Window);
   if (!program)
   {
@@ -82,17 +119,28 @@ bool vtkIndirectReprojection::Draw(const vtkIndirectFrame& frame,
   state->vtkglDepthMask(GL_TRUE);
   vtkIndirectSetEyeUniforms(program, frame);
   geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-  this->Surface.Activate(0, program);
-  before.Activate(0, program, "vtkiIrradianceBefore");
-  const glm::mat4 toBefore(glm::inverse(this->ViewToScene) * frame.ViewToScene);
-  vtkIndirectSetUniform(program, "vtkiViewToBefore", toBefore);
-  vtkIndirectSetUniform(
-    program, "vtkiViewToClipBefore", this->SceneToClip * glm::mat4(frame.ViewToScene));
-  vtkIndirectSetUniform(program, "vtkiRayOriginBefore", this->RayOrigin);
-  vtkIndirectSetUniform(program, "vtkiRayDirectionBefore", this->RayDirection);
-  const int strip = FindStrip(this->Round++);
-  const int rows[2] = { frame.Size[1] * strip / NumberOfStrips,
-    frame.Size[1] * (strip + 1) / NumberOfStrips };
+  const auto set = [&](const Names& names, const Picture& picture, const vtkIndirectTarget& kept)
+  {
+    picture.Surface->Activate(0, program, names.Surface);
+    kept.Activate(0, program, names.Irradiance);
+    const glm::mat4 toView(glm::inverse(picture.ViewToScene) * frame.ViewToScene);
+    vtkIndirectSetUniform(program, names.ToView, toView);
+    vtkIndirectSetUniform(
+      program, names.ToClip, picture.SceneToClip * glm::mat4(frame.ViewToScene));
+    vtkIndirectSetUniform(program, names.RayOrigin, picture.RayOrigin);
+    vtkIndirectSetUniform(program, names.RayDirection, picture.RayDirection);
+  };
+  if (before)
+  {
+    set(OfLast, this->Last, *before);
+  }
+  if (key)
+  {
+    set(before ? OfKey : OfLast, this->Key, *key);
+  }
+  const int strips = this->NumberOfStrips;
+  const int strip = FindStrip(this->Round++, strips);
+  const int rows[2] = { frame.Size[1] * strip / strips, frame.Size[1] * (strip + 1) / strips };
   program->SetUniform2i("vtkiRowsAnew", rows);
   this->Reproject.Draw();
   state->vtkglDisable(GL_DEPTH_TEST);

@@ -153,6 +153,7 @@ void vtkIndirectSum::SetIrradianceStorage(bool half, double unit, bool depth)
     this->IrradianceHasDepth = depth;
     this->Irradiance = this->MakeIrradiance();
     this->IrradianceBefore.reset();
+    this->IrradianceOfKey.reset();
     this->Glossy =
       std::make_unique<vtkIndirectTarget>(this, half ? HalfGlossyChannels : GlossyChannels, false);
   }

@@ -110,6 +110,7 @@ protected:
   std::unique_ptr<vtkIndirectTarget> Irradiance;
   std::unique_ptr<vtkIndirectTarget> Glossy;
   std::unique_ptr<vtkIndirectTarget> IrradianceBefore; // of the last frame, see KeepIrradiance
+  std::unique_ptr<vtkIndirectTarget> IrradianceOfKey;  // see vtkIndirectReprojection
 
 private:
   std::unique_ptr<vtkIndirectTarget> MakeIrradiance();
