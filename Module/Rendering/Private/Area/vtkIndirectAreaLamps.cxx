@@ -6,6 +6,7 @@
 #include "Emitters/vtkIndirectEmitterAccess.h"
 #include "Scene/vtkIndirectFrame.h"
 #include "Senders/vtkIndirectSamplePattern.h"
+#include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 

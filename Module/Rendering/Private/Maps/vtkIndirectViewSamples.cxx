@@ -3,6 +3,7 @@
 
 #include "Capture/vtkSurfaceCapturePass.h"
 #include "Scene/vtkIndirectFrame.h"
+#include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "Maps/vtkIndirectDepthMaps.h" // for maps
+#include "OpenGL/vtkIndirectKey.h"     // for members
 
 #include <array>       // for values of shaders
 #include <cstddef>     // for size_t

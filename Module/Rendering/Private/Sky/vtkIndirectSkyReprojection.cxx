@@ -4,6 +4,9 @@
 #include "Sky/vtkIndirectSkyReprojection.h"
 
 #include "Scene/vtkIndirectFrame.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
 
 #include <utility>
 

@@ -6,6 +6,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"
 #include "Scene/vtkIndirectFrame.h"
 #include "Sky/vtkIndirectSkyReprojection.h"
+#include "vtkShaderProgram.h"
 
 namespace
 {
