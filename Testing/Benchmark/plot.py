@@ -231,6 +231,14 @@ def _names(
                 )  # fmt: skip
 
 
+def looks(number: int) -> list[tuple[str, str]]:
+    """Return a colour and a marker for each of a number of methods, no two alike up to 100."""
+    return [
+        (_COLORS[i % len(_COLORS)], _MARKERS[(i + i // len(_COLORS)) % len(_MARKERS)])
+        for i in range(number)
+    ]
+
+
 def draw(rows: Sequence[Result], path: Path) -> bool:
     """Write the plot of one scene's rows; False when no row has an error and a time."""
     pyplot = require_plots()
@@ -240,10 +248,7 @@ def draw(rows: Sequence[Result], path: Path) -> bool:
         return False
     names = list(dict.fromkeys(one.name for found in panels.values() for one in found))
     methods = [name for name in names if name not in _TRACED]
-    style = {
-        name: (_COLORS[i % len(_COLORS)], _MARKERS[i % len(_MARKERS)])
-        for i, name in enumerate(methods)
-    }
+    style: dict[str, tuple[str, str]] = dict(zip(methods, looks(len(methods))))
     for bounces, marker in (("one bounce", "<"), ("all bounces", ">")):
         style |= {f"mitsuba {bounces}": ("0.0", marker)}
         style |= {f"mitsuba {bounces} denoised": ("0.45", marker)}

@@ -135,6 +135,9 @@ class Plot(DirectoryTest):
         # One bounce does not converge to R3.
         self.assertEqual(plot.series(self.ROWS, "r3"), [])
 
+    def test_no_two_methods_look_alike(self) -> None:
+        self.assertEqual(len(set(plot.looks(100))), 100)
+
     def test_nothing_to_draw_is_no_file(self) -> None:
         path = self.directory / "plot.png"
         rows = [{"scene": "s", "width": 1, "height": 1, **row} for row in self.ROWS]
