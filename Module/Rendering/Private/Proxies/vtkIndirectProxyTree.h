@@ -27,7 +27,7 @@ public:
     glm::vec3 Center;
     float Radius;
     glm::vec3 OuterCenter;
-    float Outer; // radius in which it counts, fully within vtkiProxyBand of that
+    float Outer; // radius in which it counts, fully within VTKI_PROXY_BAND of that
     glm::vec3 Albedo;
     float Share; // hidden share of the light through its disk
     float Inner; // radius deep inside which it counts nothing; 0: none, for a sphere that

@@ -65,7 +65,8 @@ float vtkiRectangleFormFactor(vec3 corner, vec3 edge1, vec3 edge2, vec3 normal)
   return abs(sum) * (0.5f / VTKI_PI);
 }
 
-// From this many times its longer edge on, a piece of a rectangle is far: see vtkiPieceFormFactor.
+// From this many times its longer edge on, a piece of a rectangle is far: vtkiPieceMean replaces
+// its form factor.
 const float VTKI_PIECE_FAR = 3.0f;
 
 /* Returns the mean height over the horizon, clamped to zero below it, of a piece that extends by
