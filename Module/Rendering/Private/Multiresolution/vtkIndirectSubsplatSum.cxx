@@ -209,14 +209,12 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     input.Timer.Begin(vtkIndirectStageTimer::Estimate);
     settings.Reprojected = this->Irradiance.get();
-    const bool newKey = this->Reprojection.WantsKey();
-    if (newKey)
+    if (this->Reprojection.RenewKey())
     {
       std::swap(this->IrradianceBefore, this->IrradianceOfKey);
     }
-    const bool drawn = this->Reprojection.Draw(frame, input.Geometry,
-      newKey ? nullptr : this->IrradianceBefore.get(), this->IrradianceOfKey.get(),
-      *this->Irradiance);
+    const bool drawn = this->Reprojection.Draw(frame, input.Geometry, this->IrradianceBefore.get(),
+      this->IrradianceOfKey.get(), *this->Irradiance);
     input.Timer.End(vtkIndirectStageTimer::Estimate);
     if (!drawn)
     {

@@ -88,7 +88,7 @@ bool vtkIndirectReprojection::Keep(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectReprojection::WantsKey()
+bool vtkIndirectReprojection::RenewKey()
 {
   if (this->Key.IsThere && ++this->FramesOfKey < FramesPerKey)
   {
@@ -105,8 +105,10 @@ bool vtkIndirectReprojection::Draw(const vtkIndirectFrame& frame,
   const vtkIndirectGeometryBuffer& geometry, const vtkIndirectTarget* before,
   const vtkIndirectTarget* key, vtkIndirectTarget& irradiance)
 {
+  const bool hasLast = this->Last.IsThere;
+  const bool hasKey = this->Key.IsThere;
   this->Reproject.SetDefinitions(
-    this->Definitions + (before && key ? "#define VTKI_REPROJECT_KEY\n" : ""));
+    this->Definitions + (hasLast && hasKey ? "#define VTKI_REPROJECT_KEY\n" : ""));
   vtkIndirectProgram program = this->Reproject.Use(frame.Window);
   if (!program)
   {
@@ -130,13 +132,13 @@ bool vtkIndirectReprojection::Draw(const vtkIndirectFrame& frame,
     vtkIndirectSetUniform(program, names.RayOrigin, picture.RayOrigin);
     vtkIndirectSetUniform(program, names.RayDirection, picture.RayDirection);
   };
-  if (before)
+  if (hasLast)
   {
     set(OfLast, this->Last, *before);
   }
-  if (key)
+  if (hasKey)
   {
-    set(before ? OfKey : OfLast, this->Key, *key);
+    set(hasLast ? OfKey : OfLast, this->Key, *key);
   }
   const int strips = this->NumberOfStrips;
   const int strip = FindStrip(this->Round++, strips);

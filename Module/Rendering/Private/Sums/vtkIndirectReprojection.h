@@ -27,7 +27,6 @@ public:
    */
   vtkIndirectReprojection(vtkIndirectResource* owner, int strips, bool withRadius = false);
 
-  static constexpr int FramesPerKey = 16;
   /** Returns what the report says of a frame that keeps irradiance. */
   std::string GetMeaning() const;
 
@@ -42,18 +41,18 @@ public:
   bool Has(const vtkIndirectFrame& frame, double unit) const;
 
   /**
-   * Each draw from the last frame blurs a little. Draws from a key picture, which stays for
-   * FramesPerKey frames, blur once in its time. Returns true if this frame makes the last frame the
-   * key picture; the caller then keeps its irradiance likewise. To be called once before Draw by
-   * callers that have key pictures.
+   * Makes the last frame the key picture every FramesPerKey frames, and returns true then: the
+   * caller keeps its irradiance likewise. Each draw from the last frame blurs a little, draws from
+   * a key picture blur once in its time. To be called once before each Draw by callers that have
+   * key pictures.
    */
-  bool WantsKey();
+  bool RenewKey();
 
   /**
-   * Draws irradiance of the key picture, and of the frame whose places are kept where the key
-   * picture has none; null: there is no such picture. Pixels that have some, and pixels without a
-   * lit surface, get the depth 0. Other pixels get the alpha VTKI_REPROJECTED_NONE and the depth 1.
-   * Within a vtkIndirectFullScreenState.
+   * Draws irradiance of the key picture, and of the last frame where the key picture has none; of
+   * the one that is there if there is only one. before, key: their irradiance. Pixels that have
+   * some, and pixels without a lit surface, get the depth 0. Other pixels get the alpha
+   * VTKI_REPROJECTED_NONE and the depth 1. Within a vtkIndirectFullScreenState.
    */
   bool Draw(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry,
     const vtkIndirectTarget* before, const vtkIndirectTarget* key, vtkIndirectTarget& irradiance);
@@ -62,6 +61,8 @@ protected:
   void ReleaseOwn(vtkWindow*) override { this->Forget(); }
 
 private:
+  static constexpr int FramesPerKey = 16;
+
   struct Picture
   {
     std::unique_ptr<vtkIndirectTarget> Surface;
