@@ -69,15 +69,17 @@ Times = dict[str, dict[str, float]]
 class Bench:
     """A renderer in a window, its pass, and the two estimators with one sampler.
 
-    The lights are even ones, as in the paper, with one bounce and nothing that hides them.
+    The lights are even ones, as in the paper, with one bounce and nothing that hides them. Edges are
+    not antialiased: that work is the picture's and the same for all methods.
     """
 
     def __init__(self, renderer: vtkRenderer, window: Any) -> None:
         self.renderer = renderer
         self.window = window
         self.indirect = methods.enable(
-            renderer, "gather", Caching=False, Visibility="none", NumberOfBounces=1
-        )
+            renderer, "gather", Caching=False, Visibility="none", NumberOfBounces=1,
+            Antialiasing=False,
+        )  # fmt: skip
         self.sampler = vtkindirect.vtkUniformLightSampler()
         self.indirect.SetSampler(self.sampler)
         self.gather = vtkindirect.vtkRSMGatherPass()
