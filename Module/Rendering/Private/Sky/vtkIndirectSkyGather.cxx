@@ -235,9 +235,10 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
   const int creaseStep = input.Plan.Interactive ? MovingCreases : 1;
   bool done = !this->Visible || input.Creases.Update(frame, input.Geometry, creaseStep);
   const vtkIndirectSkyReprojection::Input kept = { frame, input.Geometry, step };
-  this->Keeps = step > 1 && input.EyeMoved && !this->MapsHaveChanged() && this->Visible &&
-    !this->Summed.empty();
-  if (!this->Keeps)
+  const bool canKeep = input.Plan.Caching && this->Visible && !this->Summed.empty();
+  this->Keeps = canKeep && step > 1 && input.EyeMoved && !this->MapsHaveChanged();
+  this->KeepsStill = canKeep && step == 1;
+  if (!this->Keeps && !this->KeepsStill)
   {
     this->Reprojection.Release(frame.Window);
   }
@@ -254,7 +255,8 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
         frame, this->Keeps ? this->Reprojection.GetShares() : input.Geometry.GetTarget()) &&
       this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
       this->FilterColumns(input) && this->Smooth(input) &&
-      (!this->Keeps || this->Reprojection.Keep(kept));
+      (!this->Keeps || this->Reprojection.Keep(kept)) &&
+      (!this->KeepsStill || this->Reprojection.KeepStill(kept, this->Smoothing.GetShares()));
   }
   done = done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
   if (!input.Plan.Catches)
@@ -416,7 +418,7 @@ bool vtkIndirectSkyGather::Smooth(const Input& input)
 {
   return this->Smoothing.Run(
     { input.Frame, input.Geometry, this->FindPartAngle(input), this->Visible,
-      input.Plan.SkyBlock > 1, this->Keeps ? &this->Reprojection : nullptr },
+      input.Plan.SkyBlock > 1, this->Keeps ? &this->Reprojection : nullptr, this->KeepsStill },
     this->Irradiance,
     [this](const vtkIndirectProgram& program)
     {

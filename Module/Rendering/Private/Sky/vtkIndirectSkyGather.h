@@ -117,6 +117,7 @@ private:
   glm::vec3 OpenFlux{ 0.0f };
   glm::vec3 SummedFlux{ 0.0f };
   bool Visible = false;
-  bool Keeps = false; // the last frame's shares are kept for the next frame
-  int Step = 1;       // edge, in the last frame, of the blocks of pixels that share directions
+  bool Keeps = false;      // the shares of a moving frame are kept for the next frame
+  bool KeepsStill = false; // those of a still frame are
+  int Step = 1;            // edge, in the last frame, of the blocks of pixels that share directions
 };

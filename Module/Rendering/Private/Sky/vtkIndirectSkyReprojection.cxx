@@ -25,11 +25,21 @@ const vtkIndirectChannels FreshChannels = {
 //------------------------------------------------------------------------------
 vtkIndirectSkyReprojection::vtkIndirectSkyReprojection(vtkIndirectResource* owner)
   : vtkIndirectResource(owner)
-  , Reprojection(this, 16, true)
+  , Reprojection(this, 32, true)
   , Fresh(this, FreshChannels, false)
   , Spread(this, FreshChannels, false)
 {
   this->SpreadFresh.SetDefinitions("#define VTKI_SKY_SPREAD\n");
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyReprojection::Resize(const vtkIndirectFrame& frame)
+{
+  if (!this->Now)
+  {
+    this->Now = std::make_unique<vtkIndirectTarget>(this, ShareChannels, true);
+  }
+  return this->Now->Resize(frame.Window, frame.Size[0], frame.Size[1]);
 }
 
 //------------------------------------------------------------------------------
@@ -38,20 +48,21 @@ bool vtkIndirectSkyReprojection::Begin(const Input& input)
   const vtkIndirectFrame& frame = input.Frame;
   this->Reprojected = this->Now && this->Reprojection.Has(frame, 1.0);
   std::swap(this->Now, this->Before);
-  if (!this->Now)
-  {
-    this->Now = std::make_unique<vtkIndirectTarget>(this, ShareChannels, true);
-  }
-  if (!this->Now->Resize(frame.Window, frame.Size[0], frame.Size[1]))
+  if (!this->Resize(frame))
   {
     return false;
   }
   if (this->Reprojected)
   {
+    if (this->Reprojection.RenewKey())
+    {
+      std::swap(this->Before, this->OfKey);
+    }
     return this->Reprojection.Draw(
-             frame, input.Geometry, this->Before.get(), nullptr, *this->Now) &&
+             frame, input.Geometry, this->Before.get(), this->OfKey.get(), *this->Now) &&
       this->FindFreshBlocks(input);
   }
+  this->Reprojection.ForgetKey();
   this->Now->Begin();
   this->Now->Clear();
   this->Now->End();
@@ -129,9 +140,20 @@ bool vtkIndirectSkyReprojection::Keep(const Input& input)
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectSkyReprojection::KeepStill(const Input& input, const vtkIndirectTarget& shares)
+{
+  this->Reprojected = false;
+  this->Reprojection.ForgetKey();
+  this->Before.reset();
+  this->OfKey.reset();
+  return this->Resize(input.Frame) && this->Now->CopyFrom(shares, 0) && this->Keep(input);
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectSkyReprojection::ReleaseOwn(vtkWindow*)
 {
   this->Now.reset();
   this->Before.reset();
+  this->OfKey.reset();
   this->Reprojected = false;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The visible share of the sky does not depend on the eye: places that a moving eye sees again keep
-// the smoothed share of the last frame, see vtkIndirectReprojection. Directions are summed at the
-// other places, and at their neighbours, whose sums these places need.
+// the smoothed share of the last frame, a still one or a moving one, see vtkIndirectReprojection.
+// Directions are summed at the other places, and at their neighbours, whose sums these places need.
 #pragma once
 
 #include "OpenGL/vtkIndirectFullScreenProgram.h" // for members
@@ -26,7 +26,7 @@ public:
     int Step; // edge of the blocks of pixels that share directions
   };
 
-  /** Fills the shares with those that are kept. Within a vtkIndirectFullScreenState. */
+  /** Fills the shares of a moving frame with kept ones. Within a vtkIndirectFullScreenState. */
   bool Begin(const Input& input);
   /** Returns true if some pixels have shares of the last frame. */
   bool IsReprojected() const { return this->Reprojected; }
@@ -48,18 +48,22 @@ public:
    */
   bool DrawFresh(vtkOpenGLRenderWindow* window, vtkIndirectFullScreenProgram& kernel,
     vtkIndirectTarget& target, const std::function<void(const vtkIndirectProgram&)>& set);
-  /** Keeps the smoothed shares for the next frame. */
+  /** Keeps the smoothed shares of a moving frame for the next frame. */
   bool Keep(const Input& input);
+  /** Keeps the smoothed shares of a still frame for the first moving frame. */
+  bool KeepStill(const Input& input, const vtkIndirectTarget& shares);
 
 protected:
   void ReleaseOwn(vtkWindow* window) override;
 
 private:
+  bool Resize(const vtkIndirectFrame& frame);
   bool FindFreshBlocks(const Input& input);
 
   vtkIndirectReprojection Reprojection;
   std::unique_ptr<vtkIndirectTarget> Now;
   std::unique_ptr<vtkIndirectTarget> Before;
+  std::unique_ptr<vtkIndirectTarget> OfKey; // shares of the key picture
   vtkIndirectTarget Fresh;  // blocks with pixels that have no share of the last frame
   vtkIndirectTarget Spread; // these blocks and those beside them
   vtkIndirectFullScreenProgram FindFresh{ this, "vtkIndirectSkyFreshFS.glsl" };

@@ -81,7 +81,7 @@ bool vtkIndirectSkySmoothing::Run(
   for (int k = 0; done && input.Visibility && k < Steps; ++k)
   {
     Pass pass = passes[k / 2];
-    if (k == Steps - 1 && !input.Kept)
+    if (k == Steps - 1 && !input.Kept && !input.LeavesMeans)
     {
       pass.SetLast = setLast;
       return this->Draw(input, pass, this->Last, *from, irradiance);

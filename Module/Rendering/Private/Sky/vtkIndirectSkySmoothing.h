@@ -27,6 +27,7 @@ public:
     bool Visibility;  // false: nothing hides the sky, and nothing is smoothed
     bool Moving;      // fewer neighbours are asked
     vtkIndirectSkyReprojection* Kept; // has the shares, and gets their means; may be null
+    bool LeavesMeans;                 // the target of the shares is to hold their means afterwards
   };
 
   /** Angle of the smoothing over that of a direction's part of the sky. */

@@ -4,7 +4,8 @@
 // pixels that lie on the place's surface. Where the eye sees a few more pixels of a surface, such as
 // beside an outline, the mean of pixels around the place. Such a mean passes on three times at most:
 // otherwise an outline that moves would draw one irradiance along. With VTKI_REPROJECT_RADIUS alpha
-// is a radius, that of the heaviest pixel, negative: see vtkIndirectSkyReprojection.
+// is a radius, that of the heaviest pixel, negative, see vtkIndirectSkyReprojection, and cannot tell
+// how often a mean was passed on: pixels around a place do not count.
 #include "vtkIndirectLibSurface.glsl"
 #include "vtkIndirectLibReprojection.glsl"
 
@@ -38,11 +39,7 @@ const float vtkiSameNormalBefore = 0.2f;
 const float vtkiEnoughBefore = 0.2f;
 // Pixels around a place whose own pixels do not show its surface: rings of eight pixels, at a
 // distance of 1 and 2 pixels. The second has wider limits.
-#ifdef VTKI_REPROJECT_RADIUS
-const int vtkiRingsBefore = 1;
-#else
 const int vtkiRingsBefore = 2;
-#endif
 const float vtkiWidenPlaneBefore = 3.0f;
 
 // The receiver in an earlier frame's view coordinates.
@@ -139,10 +136,11 @@ void main()
   vtkiReceiverBefore receiver = vtkiFindBefore(place, normal, facet, vtkiViewToBefore,
     vtkiViewToClipBefore, vtkiRayOriginBefore, vtkiRayDirectionBefore);
   vtkiAddBilinear(sum, vtkiSurfaceBefore, vtkiIrradianceBefore, receiver, wanted);
+#ifdef VTKI_REPROJECT_RADIUS
+  float alpha = -sum.alpha;
+#else
   wanted = wanted && receiver.ahead;
-#ifndef VTKI_REPROJECT_RADIUS
   receiver.least = 2.0f * VTKI_REPROJECTED_STEP;
-#endif
   float around = 1.0f;
   for (int ring = 0; ring < vtkiRingsBefore && wanted && sum.weights < vtkiEnoughBefore; ++ring)
   {
@@ -156,12 +154,9 @@ void main()
     around *= 2.0f;
     receiver.tolerance *= vtkiWidenPlaneBefore;
   }
-  bool found = sum.weights >= vtkiEnoughBefore;
-#ifdef VTKI_REPROJECT_RADIUS
-  float alpha = -sum.alpha;
-#else
   float alpha = sum.alpha - (around > 1.0f ? VTKI_REPROJECTED_STEP : 0.0f);
 #endif
+  bool found = sum.weights >= vtkiEnoughBefore;
   gl_FragData[0] = found ? vec4(sum.irradiance / max(sum.weights, vtkiEnoughBefore), alpha)
                          : vec4(0.0f, 0.0f, 0.0f, lit ? VTKI_REPROJECTED_NONE : 0.0f);
   gl_FragDepth = found || !lit ? 0.0f : 1.0f;
