@@ -225,10 +225,10 @@ public:
   ///@{
   /**
    * Texels along an edge of a light's map. Default 0: 512, or, where the estimator sums virtual
-   * lights, as many as the frame has pixels along its longer edge, rounded up to 1024 or 2048, in
-   * at most 335 MB; frames of more than 384 pixels get 1024 unless the lights turn with the camera.
-   * Range 1 to 16384 besides. Larger maps make sharper shadows; the mean of the indirect light does
-   * not depend on this number.
+   * lights in frames of more than 384 pixels, 2.25 times as many as the frame has pixels along its
+   * longer edge, as many where lights turn with the camera, rounded up to 1024 or 2048, in at most
+   * 335 MB. Range 1 to 16384 besides. Larger maps make sharper shadows; the mean of the indirect
+   * light does not depend on this number.
    */
   void SetReflectiveShadowMapResolution(int texels);
   int GetReflectiveShadowMapResolution();
