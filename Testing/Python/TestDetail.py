@@ -252,6 +252,27 @@ class Detail(unittest.TestCase):
         # Measured 0.0001; 0.085 where lights are finer near three quarters of what is seen.
         self.assertLess(self.look_at_towns((0.0, 14.0, 0.0), 60), 0.005)
 
+    def test_a_camera_that_comes_nearer_keeps_maps(self) -> None:
+        """Maps of the part that is seen were begun anew: two of 64 directions lit the picture."""
+        props = (ground(220.0), houses(200.0))
+        how = {"lighting": "scene", "environment": (1.0, 1.0, 1.0)}
+        renderer = self.show(props, sun, (350.0, 300.0, 450.0), (0.0, 0.0, 0.0), **how)
+        window, camera = renderer.GetRenderWindow(), renderer.GetActiveCamera()
+        window.SetDesiredUpdateRate(15.0)
+        for _ in range(12):
+            camera.Dolly(1.2)
+            window.Render()
+            left_out = vtkindirect.report(renderer)["left_out"]
+            later = [x["what"] for x in left_out if "further frames" in x["why"]]
+            self.assertEqual(later, [])
+        window.SetDesiredUpdateRate(1e-4)
+        window.Render()
+        self.assertIn("nearer part", self.describe_sky(renderer))
+
+    def describe_sky(self, renderer: vtkRenderer) -> str:
+        modelled = vtkindirect.report(renderer)["modelled"]
+        return next(x["why"] for x in modelled if x["what"] == "light from the sky")
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -207,6 +207,9 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     this->FittedWindows.clear();
   }
   this->FittedWindows.resize(this->Maps.size());
+  // Further layers would take new images, and all maps be lost: moving frames get none.
+  const int allocated = this->Target.GetLayers();
+  const int mostWithWindows = plan.Interactive && allocated > 0 ? allocated : mostLayers;
   for (size_t i = 0; i < this->Maps.size(); ++i)
   {
     vtkIndirectLightMap& map = this->Maps[i];
@@ -215,7 +218,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     // and senders from its map.
     const bool isRead = map.Light.Size == 0.0 || !map.Light.Positional;
     const bool sends = this->Content >= SENDERS && frame.Seen.Near.IsPart();
-    if ((plan.Shadows || sends) && isRead && layer < mostLayers)
+    if ((plan.Shadows || sends) && isRead && layer < mostWithWindows)
     {
       FittedWindow& fitted = this->FittedWindows[i];
       vtkIndirectKey inputs;

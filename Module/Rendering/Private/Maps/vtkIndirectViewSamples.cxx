@@ -6,9 +6,12 @@
 #include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
+// Moving frames keep a box that holds this share of the places that the eye sees.
+constexpr double LeastHeld = 0.75;
 // Texels along an edge of the small picture.
 constexpr int ViewTexels = 64;
 // A scene that reaches this many half pictures from the picture's middle needs no window.
@@ -68,12 +71,43 @@ bool vtkIndirectViewSamples::ReachesBeyond(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectViewSamples::Update(vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture)
+// Returns true if boxes of an earlier frame stay; none, if these do not hold what the eye sees,
+// since maps of all of the scene serve any view.
+bool vtkIndirectViewSamples::KeepBoxes(const vtkIndirectFrame& frame, bool moving)
+{
+  vtkIndirectKey units;
+  frame.AppendUnitsTo(units);
+  const bool first = this->Units.IsEmpty();
+  if (this->Units.Take(std::move(units)) || first || !moving)
+  {
+    return false;
+  }
+  const std::vector<vtkIndirectSeen::Place>& places = frame.Seen.Places;
+  const auto held = std::count_if(places.begin(), places.end(),
+    [this](const vtkIndirectSeen::Place& place)
+    {
+      const glm::dvec3 beside = glm::abs(place.At - this->Box.Middle) - this->Box.Half;
+      return std::max({ beside.x, beside.y, beside.z }) <= 0.0;
+    });
+  if (this->Box.IsPart() &&
+    static_cast<double>(held) < LeastHeld * static_cast<double>(places.size()))
+  {
+    this->Box = this->Near = {};
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectViewSamples::Update(
+  vtkIndirectFrame& frame, bool moving, vtkSurfaceCapturePass* capture)
 {
   frame.Seen = {};
   const vtkIndirectDepthTile view = FindView(frame);
   if (frame.Casters.empty() || !ReachesBeyond(frame, view))
   {
+    this->Units.Clear();
+    frame.AppendUnitsTo(this->Units);
+    this->Box = this->Near = {};
     this->DepthMaps.Release(vtkIndirectDepthMaps::EYE, frame.Window);
     this->Depths.clear();
     return true;
@@ -111,7 +145,15 @@ bool vtkIndirectViewSamples::Update(vtkIndirectFrame& frame, vtkSurfaceCapturePa
         depth * view.Forward,
       2.0 * scale * std::min(view.HalfWidth.x / frame.Size[0], view.HalfWidth.y / frame.Size[1]) });
   }
+  if (this->KeepBoxes(frame, moving))
+  {
+    frame.Seen.Box = this->Box;
+    frame.Seen.Near = this->Near;
+    return true;
+  }
   const double* const b = frame.SceneBounds;
   frame.Seen.FindBoxes(frame.ToScene(glm::dvec3(b[1], b[3], b[5])));
+  this->Box = frame.Seen.Box;
+  this->Near = frame.Seen.Near;
   return true;
 }

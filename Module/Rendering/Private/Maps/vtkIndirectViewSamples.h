@@ -5,6 +5,8 @@
 #pragma once
 
 #include "Maps/vtkIndirectDepthMaps.h" // for the view's map
+#include "OpenGL/vtkIndirectKey.h"     // for a key
+#include "Scene/vtkIndirectSeen.h"     // for boxes
 
 #include <cstddef> // for size_t
 #include <vector>  // for depths
@@ -18,10 +20,12 @@ public:
   explicit vtkIndirectViewSamples(vtkIndirectDepthMaps& maps);
 
   /**
-   * Finds the frame's places. The capture stays attached. Returns false, after an error, when
-   * OpenGL refuses.
+   * Finds the frame's places and the boxes around these. A moving frame has the boxes of the last
+   * still one while they hold what the eye sees, since other boxes need other maps: a camera that
+   * comes nearer would lose all of them. The capture stays attached. Returns false, after an error,
+   * when OpenGL refuses.
    */
-  bool Update(vtkIndirectFrame& frame, vtkSurfaceCapturePass* capture);
+  bool Update(vtkIndirectFrame& frame, bool moving, vtkSurfaceCapturePass* capture);
 
   /** Returns the eye's view as a depth tile. */
   static vtkIndirectDepthTile FindView(const vtkIndirectFrame& frame);
@@ -29,7 +33,12 @@ public:
   static bool ReachesBeyond(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view);
 
 private:
+  bool KeepBoxes(const vtkIndirectFrame& frame, bool moving);
+
   vtkIndirectDepthMaps& DepthMaps;
   std::vector<float> Depths; // of the last map, 1: nothing is there
   size_t Drawn = 0;          // number of maps drawn by then
+  vtkIndirectKey Units;      // of the boxes
+  vtkIndirectSeenBox Box;    // of the last frame
+  vtkIndirectSeenBox Near;
 };

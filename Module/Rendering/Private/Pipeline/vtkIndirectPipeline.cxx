@@ -176,7 +176,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
     if (this->Plan.Shadows || skyMaps)
     {
-      drawn = this->ViewSamples.Update(this->Frame, this->Capture);
+      drawn = this->ViewSamples.Update(this->Frame, this->Plan.Interactive, this->Capture);
     }
     if (drawn && maps)
     {
