@@ -85,8 +85,11 @@ def houses(half: float) -> vtkActor:
 
 @unittest.skipIf(support.why_no_rendering(), support.why_no_rendering())
 class Detail(unittest.TestCase):
-    def show(self, props, light, position, focal, **how) -> vtkRenderer:
-        """Return a renderer of a finished picture; light: adds one, or None for VTK's headlight."""
+    def show(self, props, light, position, focal, rate: float = 1e-4, **how) -> vtkRenderer:
+        """Return a renderer of a finished picture; light: adds one, or None for VTK's headlight.
+
+        rate: frames a second that the window asks for; 15 is a moving camera's.
+        """
         renderer = vtkRenderer()
         for prop in props:
             renderer.AddActor(prop)
@@ -100,7 +103,7 @@ class Detail(unittest.TestCase):
         camera.SetClippingRange(0.5, 1000.0)
         window = vtkindirect.render_window((160, 120), offscreen=True)
         window.AddRenderer(renderer)
-        window.SetDesiredUpdateRate(1e-4)
+        window.SetDesiredUpdateRate(rate)
         self.addCleanup(window.Finalize)
         vtkindirect.enable(renderer, **how)
         for _ in range(3):
@@ -267,11 +270,21 @@ class Detail(unittest.TestCase):
             self.assertEqual(later, [])
         window.SetDesiredUpdateRate(1e-4)
         window.Render()
-        self.assertIn("nearer part", self.describe_sky(renderer))
+        self.assertIn("nearer part", self.describe(renderer, "light from the sky"))
 
-    def describe_sky(self, renderer: vtkRenderer) -> str:
+    def test_frames_that_all_move_have_windows(self) -> None:
+        """No still frame is there whose maps could be kept."""
+        how = {"lighting": "scene", "rate": 15.0}
+        props = (ground(220.0), houses(200.0))
+        renderer = self.show(props, sun, (350.0, 300.0, 450.0), (0.0, 0.0, 0.0), **how)
+        self.assertNotIn("window", self.describe(renderer, "light 0"))
+        renderer.GetActiveCamera().Dolly(8.0)
+        renderer.GetRenderWindow().Render()
+        self.assertIn("window", self.describe(renderer, "light 0"))
+
+    def describe(self, renderer: vtkRenderer, what: str) -> str:
         modelled = vtkindirect.report(renderer)["modelled"]
-        return next(x["why"] for x in modelled if x["what"] == "light from the sky")
+        return next(x["why"] for x in modelled if x["what"] == what)
 
 
 if __name__ == "__main__":

@@ -207,9 +207,8 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     this->FittedWindows.clear();
   }
   this->FittedWindows.resize(this->Maps.size());
-  // Further layers would take new images, and all maps be lost: moving frames get none.
-  const int allocated = this->Target.GetLayers();
-  const int mostWithWindows = plan.Interactive && allocated > 0 ? allocated : mostLayers;
+  // Further layers would take new images, and all maps be lost: frames that keep maps get none.
+  const int mostWithWindows = frame.Seen.BoxesAreKept ? this->Target.GetLayers() : mostLayers;
   for (size_t i = 0; i < this->Maps.size(); ++i)
   {
     vtkIndirectLightMap& map = this->Maps[i];

@@ -71,14 +71,15 @@ bool vtkIndirectViewSamples::ReachesBeyond(
 }
 
 //------------------------------------------------------------------------------
-// Returns true if boxes of an earlier frame stay; none, if these do not hold what the eye sees,
-// since maps of all of the scene serve any view.
+// Returns true if boxes of a still frame stay; none, if these do not hold what the eye sees, since
+// maps of all of the scene serve any view. Applications whose frames all move get new boxes.
 bool vtkIndirectViewSamples::KeepBoxes(const vtkIndirectFrame& frame, bool moving)
 {
   vtkIndirectKey units;
   frame.AppendUnitsTo(units);
-  const bool first = this->Units.IsEmpty();
-  if (this->Units.Take(std::move(units)) || first || !moving)
+  const bool changed = this->Units.Take(std::move(units));
+  this->AreOfStillFrame = !moving || (this->AreOfStillFrame && !changed);
+  if (!moving || !this->AreOfStillFrame)
   {
     return false;
   }
@@ -105,8 +106,7 @@ bool vtkIndirectViewSamples::Update(
   const vtkIndirectDepthTile view = FindView(frame);
   if (frame.Casters.empty() || !ReachesBeyond(frame, view))
   {
-    this->Units.Clear();
-    frame.AppendUnitsTo(this->Units);
+    this->KeepBoxes(frame, moving);
     this->Box = this->Near = {};
     this->DepthMaps.Release(vtkIndirectDepthMaps::EYE, frame.Window);
     this->Depths.clear();
@@ -149,6 +149,7 @@ bool vtkIndirectViewSamples::Update(
   {
     frame.Seen.Box = this->Box;
     frame.Seen.Near = this->Near;
+    frame.Seen.BoxesAreKept = true;
     return true;
   }
   const double* const b = frame.SceneBounds;

@@ -41,4 +41,5 @@ private:
   vtkIndirectKey Units;      // of the boxes
   vtkIndirectSeenBox Box;    // of the last frame
   vtkIndirectSeenBox Near;
+  bool AreOfStillFrame = false; // the boxes
 };

@@ -106,6 +106,7 @@ struct vtkIndirectSeen
    * horizon had 8 % of its near pixels off by more than 32 levels, around the half none.
    */
   vtkIndirectSeenBox Near;
+  bool BoxesAreKept = false; // a moving frame has those of a still one
 
   /** Returns true if the nearer box is so much smaller that maps of it alone are finer. */
   bool IsNearFiner() const
