@@ -109,11 +109,14 @@ VTK_INDIRECT_TEST(SkyMovingIsPartOfStill)
   const Floats still = view.Render(false);
   const long long all = count();
   CONTRACT_CHECK(all >= 252 && all <= 258, "tiles of both: " << all);
-  CONTRACT_CHECK(Compare(still, moving).Max > 0.0, "the still frame is the moving one's");
+  const double apart = Compare(still, moving).Mean;
+  CONTRACT_CHECK(apart > 0.0, "the still frame is the moving one's");
   for (int i = 0; i < 3; ++i)
   {
-    const Floats again = view.Render(true);
-    CONTRACT_CHECK(Compare(again, moving).Max == 0.0, "a moving frame after a still one");
+    // A moving frame after a still one keeps the still shares, but for a strip.
+    const double kept = Compare(view.Render(true), still).Mean;
+    std::cout << "difference to the still frame: " << kept << " of " << apart << "\n";
+    CONTRACT_CHECK(kept > 0.0 && kept < 0.25 * apart, "a moving frame after a still one");
     CONTRACT_CHECK(Compare(view.Render(false), still).Max == 0.0, "and a still one after that");
   }
   CONTRACT_CHECK(count() == all, "tiles are drawn again: " << count());
