@@ -71,31 +71,27 @@ bool vtkIndirectViewSamples::ReachesBeyond(
 }
 
 //------------------------------------------------------------------------------
-// Returns true if boxes of a still frame stay; none, if these do not hold what the eye sees, since
-// maps of all of the scene serve any view. Applications whose frames all move get new boxes.
-bool vtkIndirectViewSamples::KeepBoxes(const vtkIndirectFrame& frame, bool moving)
+// Returns true if a moving frame follows a still one of the same scene units. Applications whose
+// frames all move get new boxes.
+bool vtkIndirectViewSamples::FollowsStillFrame(const vtkIndirectFrame& frame, bool moving)
 {
   vtkIndirectKey units;
   frame.AppendUnitsTo(units);
   const bool changed = this->Units.Take(std::move(units));
   this->AreOfStillFrame = !moving || (this->AreOfStillFrame && !changed);
-  if (!moving || !this->AreOfStillFrame)
-  {
-    return false;
-  }
-  const std::vector<vtkIndirectSeen::Place>& places = frame.Seen.Places;
+  return moving && this->AreOfStillFrame;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectViewSamples::HoldsMost(const std::vector<vtkIndirectSeen::Place>& places) const
+{
   const auto held = std::count_if(places.begin(), places.end(),
     [this](const vtkIndirectSeen::Place& place)
     {
       const glm::dvec3 beside = glm::abs(place.At - this->Box.Middle) - this->Box.Half;
       return std::max({ beside.x, beside.y, beside.z }) <= 0.0;
     });
-  if (this->Box.IsPart() &&
-    static_cast<double>(held) < LeastHeld * static_cast<double>(places.size()))
-  {
-    this->Box = this->Near = {};
-  }
-  return true;
+  return static_cast<double>(held) >= LeastHeld * static_cast<double>(places.size());
 }
 
 //------------------------------------------------------------------------------
@@ -103,10 +99,10 @@ bool vtkIndirectViewSamples::Update(
   vtkIndirectFrame& frame, bool moving, vtkSurfaceCapturePass* capture)
 {
   frame.Seen = {};
+  frame.Seen.BoxesAreKept = this->FollowsStillFrame(frame, moving);
   const vtkIndirectDepthTile view = FindView(frame);
   if (frame.Casters.empty() || !ReachesBeyond(frame, view))
   {
-    this->KeepBoxes(frame, moving);
     this->Box = this->Near = {};
     this->DepthMaps.Release(vtkIndirectDepthMaps::EYE, frame.Window);
     this->Depths.clear();
@@ -145,16 +141,19 @@ bool vtkIndirectViewSamples::Update(
         depth * view.Forward,
       2.0 * scale * std::min(view.HalfWidth.x / frame.Size[0], view.HalfWidth.y / frame.Size[1]) });
   }
-  if (this->KeepBoxes(frame, moving))
+  if (!frame.Seen.BoxesAreKept)
   {
-    frame.Seen.Box = this->Box;
-    frame.Seen.Near = this->Near;
-    frame.Seen.BoxesAreKept = true;
-    return true;
+    const double* const b = frame.SceneBounds;
+    frame.Seen.FindBoxes(frame.ToScene(glm::dvec3(b[1], b[3], b[5])));
+    this->Box = frame.Seen.Box;
+    this->Near = frame.Seen.Near;
   }
-  const double* const b = frame.SceneBounds;
-  frame.Seen.FindBoxes(frame.ToScene(glm::dvec3(b[1], b[3], b[5])));
-  this->Box = frame.Seen.Box;
-  this->Near = frame.Seen.Near;
+  else if (this->Box.IsPart() && !this->HoldsMost(frame.Seen.Places))
+  {
+    // Maps of all of the scene serve any view.
+    this->Box = this->Near = {};
+  }
+  frame.Seen.Box = this->Box;
+  frame.Seen.Near = this->Near;
   return true;
 }

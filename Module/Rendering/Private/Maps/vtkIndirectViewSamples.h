@@ -33,7 +33,8 @@ public:
   static bool ReachesBeyond(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view);
 
 private:
-  bool KeepBoxes(const vtkIndirectFrame& frame, bool moving);
+  bool FollowsStillFrame(const vtkIndirectFrame& frame, bool moving);
+  bool HoldsMost(const std::vector<vtkIndirectSeen::Place>& places) const;
 
   vtkIndirectDepthMaps& DepthMaps;
   std::vector<float> Depths; // of the last map, 1: nothing is there
