@@ -187,12 +187,19 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   vtkOpenGLRenderWindow* window = frame.Window;
   vtkIndirectSubsplatSettings settings = this->MakeSettings(input);
   const double unit = 1.0 / settings.StorageScale;
-  this->SetIrradianceStorage(settings.HalfFloats, unit, true);
+  if (this->SetIrradianceStorage(settings.HalfFloats, unit, true))
+  {
+    this->Reprojection.Release(window);
+  }
   this->IsReprojected = input.EyeMoved && this->IsCoarse(&input.Plan) &&
     this->CanReproject(input) && this->Reprojection.Has(frame, unit);
   if (this->IsReprojected)
   {
-    this->KeepIrradiance();
+    this->Reprojection.Exchange(this->Irradiance);
+    if (!this->Irradiance)
+    {
+      this->Irradiance = this->MakeIrradiance();
+    }
   }
   else
   {
@@ -209,12 +216,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     input.Timer.Begin(vtkIndirectStageTimer::Estimate);
     settings.Reprojected = this->Irradiance.get();
-    if (this->Reprojection.RenewKey())
-    {
-      std::swap(this->IrradianceBefore, this->IrradianceOfKey);
-    }
-    const bool drawn = this->Reprojection.Draw(frame, input.Geometry, this->IrradianceBefore.get(),
-      this->IrradianceOfKey.get(), *this->Irradiance);
+    const bool drawn = this->Reprojection.Draw(frame, input.Geometry, *this->Irradiance);
     input.Timer.End(vtkIndirectStageTimer::Estimate);
     if (!drawn)
     {
@@ -267,8 +269,6 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   if (!this->CanReproject(input))
   {
     this->Reprojection.Release(window);
-    this->IrradianceBefore.reset();
-    this->IrradianceOfKey.reset();
   }
   else if (!this->Reprojection.Keep(frame, input.Geometry, unit))
   {

@@ -8,8 +8,6 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
-#include <utility>
-
 const vtkIndirectChannels vtkIndirectSkyReprojection::ShareChannels = {
   { "sky.shares", "vtkiSkyShares", "visible shares of the sky; how far these are smoothed",
     GL_RGBA32F, "-", "1; scene units" },
@@ -47,19 +45,14 @@ bool vtkIndirectSkyReprojection::Begin(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   this->Reprojected = this->Now && this->Reprojection.Has(frame, 1.0);
-  std::swap(this->Now, this->Before);
+  this->Reprojection.Exchange(this->Now);
   if (!this->Resize(frame))
   {
     return false;
   }
   if (this->Reprojected)
   {
-    if (this->Reprojection.RenewKey())
-    {
-      std::swap(this->Before, this->OfKey);
-    }
-    return this->Reprojection.Draw(
-             frame, input.Geometry, this->Before.get(), this->OfKey.get(), *this->Now) &&
+    return this->Reprojection.Draw(frame, input.Geometry, *this->Now) &&
       this->FindFreshBlocks(input);
   }
   this->Reprojection.ForgetKey();
@@ -143,9 +136,7 @@ bool vtkIndirectSkyReprojection::Keep(const Input& input)
 bool vtkIndirectSkyReprojection::KeepStill(const Input& input, const vtkIndirectTarget& shares)
 {
   this->Reprojected = false;
-  this->Reprojection.ForgetKey();
-  this->Before.reset();
-  this->OfKey.reset();
+  this->Reprojection.Drop();
   return this->Resize(input.Frame) && this->Now->CopyFrom(shares, 0) && this->Keep(input);
 }
 
@@ -153,7 +144,5 @@ bool vtkIndirectSkyReprojection::KeepStill(const Input& input, const vtkIndirect
 void vtkIndirectSkyReprojection::ReleaseOwn(vtkWindow*)
 {
   this->Now.reset();
-  this->Before.reset();
-  this->OfKey.reset();
   this->Reprojected = false;
 }

@@ -62,8 +62,6 @@ private:
 
   vtkIndirectReprojection Reprojection;
   std::unique_ptr<vtkIndirectTarget> Now;
-  std::unique_ptr<vtkIndirectTarget> Before;
-  std::unique_ptr<vtkIndirectTarget> OfKey; // shares of the key picture
   vtkIndirectTarget Fresh;  // blocks with pixels that have no share of the last frame
   vtkIndirectTarget Spread; // these blocks and those beside them
   vtkIndirectFullScreenProgram FindFresh{ this, "vtkIndirectSkyFreshFS.glsl" };

@@ -88,23 +88,31 @@ bool vtkIndirectReprojection::Keep(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectReprojection::RenewKey()
+void vtkIndirectReprojection::Drop()
 {
-  if (this->Key.IsThere && ++this->FramesOfKey < FramesPerKey)
+  for (Picture* picture : { &this->Last, &this->Key })
   {
-    return false;
+    picture->IsThere = false;
+    picture->Irradiance.reset();
   }
-  std::swap(this->Last, this->Key);
-  this->Last.IsThere = false;
-  this->FramesOfKey = 0;
-  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectReprojection::RenewKey()
+{
+  if (!this->Key.IsThere || ++this->FramesOfKey >= FramesPerKey)
+  {
+    std::swap(this->Last, this->Key);
+    this->Last.IsThere = false;
+    this->FramesOfKey = 0;
+  }
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectReprojection::Draw(const vtkIndirectFrame& frame,
-  const vtkIndirectGeometryBuffer& geometry, const vtkIndirectTarget* before,
-  const vtkIndirectTarget* key, vtkIndirectTarget& irradiance)
+  const vtkIndirectGeometryBuffer& geometry, vtkIndirectTarget& irradiance)
 {
+  this->RenewKey();
   const bool hasLast = this->Last.IsThere;
   const bool hasKey = this->Key.IsThere;
   this->Reproject.SetDefinitions(
@@ -121,10 +129,10 @@ bool vtkIndirectReprojection::Draw(const vtkIndirectFrame& frame,
   state->vtkglDepthMask(GL_TRUE);
   vtkIndirectSetEyeUniforms(program, frame);
   geometry.GetTarget().Activate(vtkIndirectGeometryBuffer::Surface, program);
-  const auto set = [&](const Names& names, const Picture& picture, const vtkIndirectTarget& kept)
+  const auto set = [&](const Names& names, const Picture& picture)
   {
     picture.Surface->Activate(0, program, names.Surface);
-    kept.Activate(0, program, names.Irradiance);
+    picture.Irradiance->Activate(0, program, names.Irradiance);
     const glm::mat4 toView(glm::inverse(picture.ViewToScene) * frame.ViewToScene);
     vtkIndirectSetUniform(program, names.ToView, toView);
     vtkIndirectSetUniform(
@@ -134,11 +142,11 @@ bool vtkIndirectReprojection::Draw(const vtkIndirectFrame& frame,
   };
   if (hasLast)
   {
-    set(OfLast, this->Last, *before);
+    set(OfLast, this->Last);
   }
   if (hasKey)
   {
-    set(hasLast ? OfKey : OfLast, this->Key, *key);
+    set(hasLast ? OfKey : OfLast, this->Key);
   }
   const int strips = this->NumberOfStrips;
   const int strip = FindStrip(this->Round++, strips);

@@ -35,30 +35,30 @@ public:
    * Returns false, after an error, if OpenGL refuses.
    */
   bool Keep(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry, double unit);
-  void Forget() { this->Last.IsThere = this->Key.IsThere = false; }
   void ForgetKey() { this->Key.IsThere = false; }
+  /**
+   * Takes the irradiance of the last frame in exchange for an image whose content is no longer
+   * needed, or for null.
+   */
+  void Exchange(std::unique_ptr<vtkIndirectTarget>& image) { image.swap(this->Last.Irradiance); }
+  /** Drops all irradiance. */
+  void Drop();
   /** Returns true if the places of a frame of the same size and unit are kept. */
   bool Has(const vtkIndirectFrame& frame, double unit) const;
 
   /**
-   * Makes the last frame the key picture every FramesPerKey frames, and returns true then: the
-   * caller keeps its irradiance likewise. Each draw from the last frame blurs a little, draws from
-   * a key picture blur once in its time. To be called once before each Draw by callers that have
-   * key pictures.
-   */
-  bool RenewKey();
-
-  /**
    * Draws irradiance of the key picture, and of the last frame where the key picture has none; of
-   * the one that is there if there is only one. before, key: their irradiance. Pixels that have
-   * some, and pixels without a lit surface, get the depth 0. Other pixels get the alpha
-   * VTKI_REPROJECTED_NONE and the depth 1. Within a vtkIndirectFullScreenState.
+   * the one that is there if there is only one. The last frame becomes the key picture every
+   * FramesPerKey frames: each draw from the last frame blurs a little, draws from a key picture blur
+   * once in its time. Pixels that have irradiance, and pixels without a lit surface, get the depth
+   * 0. Other pixels get the alpha VTKI_REPROJECTED_NONE and the depth 1. Within a
+   * vtkIndirectFullScreenState.
    */
   bool Draw(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry,
-    const vtkIndirectTarget* before, const vtkIndirectTarget* key, vtkIndirectTarget& irradiance);
+    vtkIndirectTarget& irradiance);
 
 protected:
-  void ReleaseOwn(vtkWindow*) override { this->Forget(); }
+  void ReleaseOwn(vtkWindow*) override { this->Drop(); }
 
 private:
   static constexpr int FramesPerKey = 16;
@@ -66,6 +66,7 @@ private:
   struct Picture
   {
     std::unique_ptr<vtkIndirectTarget> Surface;
+    std::unique_ptr<vtkIndirectTarget> Irradiance; // of the last frame: from Exchange to Draw
     bool IsThere = false;
     double Unit = 1.0;
     glm::dmat4 ViewToScene{ 1.0 };
@@ -73,6 +74,8 @@ private:
     glm::mat3 RayOrigin{ 0.0f };
     glm::mat3 RayDirection{ 0.0f };
   };
+
+  void RenewKey();
 
   int NumberOfStrips;
   std::string Definitions;

@@ -144,19 +144,19 @@ vtkIndirectEstimate vtkIndirectSum::MakeResult() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSum::SetIrradianceStorage(bool half, double unit, bool depth)
+bool vtkIndirectSum::SetIrradianceStorage(bool half, double unit, bool depth)
 {
   this->IrradianceUnit = unit;
-  if (half != this->IrradianceIsHalf || depth != this->IrradianceHasDepth)
+  if (half == this->IrradianceIsHalf && depth == this->IrradianceHasDepth)
   {
-    this->IrradianceIsHalf = half;
-    this->IrradianceHasDepth = depth;
-    this->Irradiance = this->MakeIrradiance();
-    this->IrradianceBefore.reset();
-    this->IrradianceOfKey.reset();
-    this->Glossy =
-      std::make_unique<vtkIndirectTarget>(this, half ? HalfGlossyChannels : GlossyChannels, false);
+    return false;
   }
+  this->IrradianceIsHalf = half;
+  this->IrradianceHasDepth = depth;
+  this->Irradiance = this->MakeIrradiance();
+  this->Glossy =
+    std::make_unique<vtkIndirectTarget>(this, half ? HalfGlossyChannels : GlossyChannels, false);
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -164,16 +164,6 @@ std::unique_ptr<vtkIndirectTarget> vtkIndirectSum::MakeIrradiance()
 {
   return std::make_unique<vtkIndirectTarget>(
     this, this->IrradianceIsHalf ? HalfChannels : Channels, this->IrradianceHasDepth, 16);
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectSum::KeepIrradiance()
-{
-  std::swap(this->Irradiance, this->IrradianceBefore);
-  if (!this->Irradiance)
-  {
-    this->Irradiance = this->MakeIrradiance();
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -91,17 +91,17 @@ protected:
   /**
    * Chooses whether the irradiance is stored in 16-bit floats, where a value of one means `unit`,
    * and whether a 16-bit depth buffer comes with it. Default: 32-bit floats, a unit of one, and no
-   * depth buffer.
+   * depth buffer. Returns true if the image is a new one.
    */
-  void SetIrradianceStorage(bool half, double unit, bool depth);
+  bool SetIrradianceStorage(bool half, double unit, bool depth);
   /**
    * Creates or resizes the texture of specular reflections, stored like the irradiance, if the
    * frame has them, and releases it otherwise; HasGlossy tells which. To be called after
    * SetIrradianceStorage. Returns false, after an error, when OpenGL refuses.
    */
   bool ResizeGlossy(const Input& input);
-  /** Makes the irradiance the one before, in place of an image that another frame may overwrite. */
-  void KeepIrradiance();
+  /** Makes an image of irradiance in the storage that is chosen. */
+  std::unique_ptr<vtkIndirectTarget> MakeIrradiance();
   /** Returns the last frame's result, with its current images. */
   vtkIndirectEstimate MakeResult() const;
 
@@ -109,12 +109,8 @@ protected:
   bool HasGlossy = false;
   std::unique_ptr<vtkIndirectTarget> Irradiance;
   std::unique_ptr<vtkIndirectTarget> Glossy;
-  std::unique_ptr<vtkIndirectTarget> IrradianceBefore; // of the last frame, see KeepIrradiance
-  std::unique_ptr<vtkIndirectTarget> IrradianceOfKey;  // see vtkIndirectReprojection
 
 private:
-  std::unique_ptr<vtkIndirectTarget> MakeIrradiance();
-
   vtkSmartPointer<vtkIndirectContextGuard> Guard;
   double IrradianceUnit = 1.0;
   bool IrradianceIsHalf = false;
