@@ -5,6 +5,7 @@
 
 #include "OpenGL/vtkIndirectContextGuard.h"
 #include "Picture/vtkIndirectComposite.h"
+#include "Pipeline/vtkIndirectIdleFrames.h"
 #include "Pipeline/vtkIndirectLighting.h"
 #include "Pipeline/vtkIndirectPipeline.h"
 #include "Plan/vtkIndirectPlan.h"
@@ -50,6 +51,7 @@ struct vtkIndirectIlluminationPass::Internals
 {
   vtkIndirectPipeline Pipeline;
   vtkIndirectLighting Lighting;
+  vtkIndirectIdleFrames Idle;
   vtkNew<vtkSequencePass> DefaultDelegate;
   vtkNew<vtkHiddenLineRemovalPass> HiddenLines; // replaces it if the renderer removes hidden lines
   vtkIndirectSwitches Switches;
@@ -372,6 +374,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
     this->NumberOfRenderedProps += in.Work.RenderRemaining(s);
   }
   in.Pipeline.Timer.EndFrame();
+  in.Idle.EndFrame(window, this->Settings.IdleFrames ? in.Pipeline.CountWorkLeft() : 0);
   in.FrameSettings = this->CollectSettings();
   vtkOpenGLCheckErrorMacro("failed after indirect illumination");
   this->InvokeEvent(vtkCommand::EndEvent);
@@ -538,6 +541,7 @@ void vtkIndirectIlluminationPass::ReleaseGraphicsResources(vtkWindow* window)
 void vtkIndirectIlluminationPass::LetGo(vtkWindow* window)
 {
   Internals& in = *this->Internal;
+  in.Idle.Stop();
   this->Superclass::ReleaseGraphicsResources(window);
   auto release = [window](auto* users)
   {

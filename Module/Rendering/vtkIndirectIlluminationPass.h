@@ -310,6 +310,28 @@ public:
 
   ///@{
   /**
+   * Number of times, 0 to 3, that a still picture is summed anew of four times as many virtual
+   * lights: of 2048, 8192 and 32768. While nothing changes, each frame draws the depth maps of 64 of the
+   * lights and sums their light; the picture changes when all of them are there. A picture off
+   * screen, at an update rate of 0.001 or less, is refined at once. Render while the report's
+   * batches_left is above 0. Default: 0. This is for vtkMultiresolutionSplattingPass, the default
+   * estimator, and for lights of maps; the report names under left_out what is not refined.
+   */
+  vtkIndirectClampMacro(NumberOfRefinements, int, 0, 3);
+  ///@}
+
+  ///@{
+  /**
+   * Let a timer of the window's interactor draw further frames while a still picture on the screen
+   * lacks depth maps or refinements; input comes between them. Default on; off for applications
+   * that draw frames themselves. Interactors without timers, and windows without an interactor,
+   * draw no such frames.
+   */
+  vtkIndirectFlagMacro(IdleFrames);
+  ///@}
+
+  ///@{
+  /**
    * Take the sky, and its light that surfaces reflect, in frames of moving spheres from these
    * spheres instead of depth maps and virtual lights, as vtkProxyAccumulationPass does. Lights of
    * the renderer keep their estimator. This begins with the second successive frame in which atoms

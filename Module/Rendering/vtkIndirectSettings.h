@@ -82,6 +82,8 @@ struct vtkIndirectSettings
   double ErrorTolerance = 0.0;
   bool Caching = true;
   bool MapsFirst = false;
+  int NumberOfRefinements = 0;
+  bool IdleFrames = true;
   bool SpheresInMotion = true;
   bool RemainingGeometry = true;
 };

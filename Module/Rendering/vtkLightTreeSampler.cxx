@@ -21,6 +21,10 @@ namespace
 // More texels leave less than a thousandth of the mean squared relative error, and take longer to
 // divide than maps take to draw.
 constexpr size_t MostTexels = 65536;
+// More lights than an automatic number may have are worth more texels: with 8192 lights the relMSE
+// of a brain to all bounces is 0.0098 with as many texels and vertices as usual, and 0.0062 with
+// these.
+constexpr size_t MostTexelsOfMany = 4 * MostTexels;
 
 // The range of automatic numbers of lights: enough for walls and bodies, and for many small
 // objects. See Documentation/methods/light-tree.md.
@@ -34,7 +38,6 @@ public:
     : vtkIndirectSampler(&settings)
     , Set(settings)
   {
-    this->Texels.SetMostTexels(MostTexels);
   }
   void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const override;
   bool Update(const Input& input) override;
@@ -58,6 +61,7 @@ private:
   // These numbers identify the inputs of the tree and the lights.
   vtkMTimeType MapTime = 0;
   vtkMTimeType WindowTime = 0;
+  size_t NumberOfTexels = 0; // at most
   int Count = 0;
   bool Automatic = false;
   double Error = 0.0;
@@ -101,7 +105,9 @@ bool TreeLights::Update(const Input& input)
   // Windows follow the camera: while the camera moves, lights stay.
   const vtkMTimeType windowTime = input.Maps.GetWindowTime();
   const bool moved = this->WindowTime != windowTime && !input.Interactive;
-  const bool read = this->MapTime != time || moved || anew || gone;
+  const size_t texels = this->Set.GetNumberOfLights() > MostLights ? MostTexelsOfMany : MostTexels;
+  const bool read =
+    this->MapTime != time || moved || anew || gone || texels != this->NumberOfTexels;
   const vtkIndirectFurtherSenders* further = input.Further;
   const size_t furtherTime = further ? further->Time : 0;
   const bool same = !read && this->FurtherTime == furtherTime;
@@ -122,6 +128,7 @@ bool TreeLights::Update(const Input& input)
     this->MapTime = 0;
     std::vector<vtkIndirectSenderClusters::Sender> senders;
     std::vector<glm::vec3> places;
+    this->Texels.SetMostTexels(texels);
     if (!this->Texels.Read(input, senders, places))
     {
       return false;
@@ -133,6 +140,7 @@ bool TreeLights::Update(const Input& input)
     }
     this->FromMaps = std::move(senders);
     this->MapTime = time;
+    this->NumberOfTexels = texels;
     this->WindowTime = windowTime;
   }
   if (!same)

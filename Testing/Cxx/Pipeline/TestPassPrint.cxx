@@ -65,6 +65,8 @@ VTK_INDIRECT_TEST(PrintSettings)
   CHECK_PRINT(pass, ErrorTolerance, 0.125, "0.125");
   CHECK_PRINT(pass, Caching, false, "Off");
   CHECK_PRINT(pass, MapsFirst, true, "On");
+  CHECK_PRINT(pass, NumberOfRefinements, 2, "2");
+  CHECK_PRINT(pass, IdleFrames, false, "Off");
   CHECK_PRINT(pass, SpheresInMotion, false, "Off");
   CHECK_PRINT(pass, RemainingGeometry, false, "Off");
   CHECK_PRINT(pass, DebugView, "normal", "\"normal\"");

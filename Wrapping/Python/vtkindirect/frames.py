@@ -127,6 +127,11 @@ def tiles_left(indirect: Any) -> int:
     return 0 if indirect is None else int(methods.report(indirect)["counters"]["tiles_left"])
 
 
+def batches_left(indirect: Any) -> int:
+    """Return how many frames will refine a still picture; 0 without a pass."""
+    return 0 if indirect is None else int(methods.report(indirect)["counters"]["batches_left"])
+
+
 def _never() -> bool:
     return False
 
@@ -143,7 +148,7 @@ def _stand(least: int, filling: Filling = _never) -> Iterator[None]:
 
 
 def fill(passes: list[Any], step: Step = no_step) -> Iterator[None]:
-    """Yield before each frame that draws depth maps which are missing after the one before.
+    """Yield before each frame that draws missing depth maps, or refines a still picture.
 
     The passes are those of `maps_first`; the last frame has light, whatever is missing still.
     """
@@ -157,6 +162,11 @@ def fill(passes: list[Any], step: Step = no_step) -> Iterator[None]:
         step(f"{left} depth maps to draw", math.ceil(left / max(now - before, 1)) - 1)
         before = now
         yield
+    left = max(map(batches_left, passes), default=0)
+    while left > 0:
+        step(f"{left} batches of lights to sum", left - 1)
+        yield
+        left = max(map(batches_left, passes), default=0)
 
 
 def _steps(

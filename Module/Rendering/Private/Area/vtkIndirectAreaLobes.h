@@ -32,7 +32,7 @@ public:
   bool Sum(const Input& input);
 
   /** Returns radiance in VTK's units, with each pixel's own reflectance. */
-  const vtkIndirectTarget& GetReflected() const { return this->Reflected; }
+  vtkIndirectTarget& GetReflected() { return this->Reflected; }
 
 private:
   bool UpdateTables(const Input& input);

@@ -76,6 +76,7 @@ vtkIndirectAbilities vtkIndirectSubsplatSum::GetAbilities(double tolerance) cons
   abilities.ComputesGlossy = true;
   abilities.SumsLobes = true;
   abilities.TakesLightMaps = true;
+  abilities.Refines = true;
   abilities.AutomaticVisibility = vtkIndirectVisibilityMaps;
   abilities.ErrorTolerance = this->FindErrorTolerance(tolerance);
   return abilities;

@@ -11,11 +11,12 @@
 #include "vtkIndirectEstimatorPass.h"
 
 //------------------------------------------------------------------------------
-vtkIndirectBounceLight::vtkIndirectBounceLight(
-  vtkIndirectResource* owner, vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps)
+vtkIndirectBounceLight::vtkIndirectBounceLight(vtkIndirectResource* owner,
+  vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps,
+  vtkIndirectDepthMaps::ClientType client)
   : vtkIndirectFrameLight(owner)
   , Samplers(samplers)
-  , Visibility(this, maps)
+  , Visibility(this, maps, client)
 {
 }
 
@@ -77,8 +78,7 @@ bool vtkIndirectBounceLight::Update(const Input& input)
   const vtkIndirectVisibilityNeeds needs = this->GetSum().GetVisibilityNeeds(input.Plan);
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const vtkIndirectBlockingSpheres* const spheres = this->UpdateSurfaces(input, needs);
-  const bool sampled =
-    this->Samplers.Update(input.Frame, input.Plan, input.Maps, input.Geometry, this->Surfaces);
+  const bool sampled = this->Samplers.Update(input, this->Surfaces);
   // With depth maps the visibility only reads the lights and asks for their maps.
   const bool walks = needs.IsAny() && !needs.Maps;
   if (walks)

@@ -16,8 +16,9 @@ class vtkVirtualLightSampler;
 class vtkIndirectBounceLight : public vtkIndirectFrameLight
 {
 public:
-  vtkIndirectBounceLight(
-    vtkIndirectResource* owner, vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps);
+  /** client: of the depth maps. */
+  vtkIndirectBounceLight(vtkIndirectResource* owner, vtkIndirectFrameSamplers& samplers,
+    vtkIndirectDepthMaps& maps, vtkIndirectDepthMaps::ClientType client);
 
   /**
    * Sets the estimator, which must live as long as its result is read, and the user's sampler,

@@ -3,6 +3,7 @@
 
 #include "Pipeline/vtkIndirectFrameSamplers.h"
 
+#include "Plan/vtkIndirectEstimate.h"
 #include "Plan/vtkIndirectPlan.h"
 #include "Plan/vtkIndirectReport.h"
 #include "Scene/vtkIndirectFrame.h"
@@ -17,6 +18,9 @@ namespace
 // Later bounces are made of this many vertices and lights. See
 // Documentation/methods/random-walk.md.
 constexpr int VerticesOfLaterBounces = 65536;
+// More lights than this come from four times as many vertices, as from more texels of maps; see
+// vtkLightTreeSampler.
+constexpr int ManyLights = 1024;
 constexpr int LightsOfLaterBounces = 64;
 }
 
@@ -25,7 +29,6 @@ vtkIndirectFrameSamplers::vtkIndirectFrameSamplers(vtkIndirectResource* owner)
   : vtkIndirectResource(owner)
 {
   this->LaterBounces->SetFirstBounce(2);
-  this->LaterBounces->SetNumberOfVertices(VerticesOfLaterBounces);
   this->LaterBounces->SetNumberOfLights(LightsOfLaterBounces);
 }
 
@@ -71,6 +74,8 @@ void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIn
   const vtkIndirectSamplerAbilities abilities =
     own ? own->GetAbilities() : vtkIndirectSamplerAbilities();
   this->Senders->Follow(abilities, plan.LightsTurn);
+  this->LaterBounces->SetNumberOfVertices(
+    abilities.NumberOfLights > ManyLights ? 4 * VerticesOfLaterBounces : VerticesOfLaterBounces);
   vtkIndirectSampler::Pointer sampler = own;
   if (sampler && plan.Senders == vtkIndirectPlan::HEADLIGHT)
   {
@@ -133,12 +138,12 @@ bool vtkIndirectFrameSamplers::Walk() const
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectFrameSamplers::Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-  const vtkIndirectLightMaps& maps, const vtkIndirectGeometryBuffer& geometry,
-  const vtkIndirectSurfaces& surfaces)
+bool vtkIndirectFrameSamplers::Update(
+  const vtkIndirectEstimateInput& frame, const vtkIndirectSurfaces& surfaces)
 {
-  vtkIndirectSampler::Input input = { frame, maps, geometry, plan.ErrorTolerance,
-    plan.SampledBounces, plan.Interactive,
+  const vtkIndirectPlan& plan = frame.Plan;
+  vtkIndirectSampler::Input input = { frame.Frame, frame.Maps, frame.Geometry, plan.ErrorTolerance,
+    plan.SampledBounces, plan.Interactive, frame.Batch,
     plan.HasSenderMaps() ? &this->Senders->GetEmitters() : nullptr };
   input.LightsTurn = plan.LightsTurn;
   input.Surfaces = &surfaces;

@@ -26,6 +26,7 @@ class vtkIndirectGeometryBuffer;
 class vtkIndirectLightMaps;
 class vtkIndirectSurfaces;
 class vtkSurfaceCapturePass;
+struct vtkIndirectEstimateInput;
 struct vtkIndirectFrame;
 struct vtkIndirectPlan;
 struct vtkIndirectReport;
@@ -74,9 +75,7 @@ public:
    * Brings the samplers' lights up to date. Returns false, after an error, when a sampler fails.
    * surfaces: up to date if Walk is true.
    */
-  bool Update(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan,
-    const vtkIndirectLightMaps& maps, const vtkIndirectGeometryBuffer& geometry,
-    const vtkIndirectSurfaces& surfaces);
+  bool Update(const vtkIndirectEstimateInput& frame, const vtkIndirectSurfaces& surfaces);
   /** Returns the lights, null if the frame has no sampler. */
   const vtkIndirectVirtualLights* GetLights() const
   {

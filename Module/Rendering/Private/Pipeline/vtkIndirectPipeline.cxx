@@ -117,7 +117,10 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
       (this->Plan.AutomaticAreaLightsAreVirtual && method == vtkAreaLight::AUTOMATIC);
     (isVirtual ? virtualAreaLights : this->ClosedAreaLights).push_back(light);
   }
-  vtkIndirectAreaSamplerAccess::SetLights(this->Samplers.Area, virtualAreaLights);
+  for (vtkIndirectFrameSamplers* samplers : { &this->Samplers, &this->FinerSamplers })
+  {
+    vtkIndirectAreaSamplerAccess::SetLights(samplers->Area, virtualAreaLights);
+  }
   // Old maps are released: they would show outdated shadows when the sky comes from maps again.
   const bool sky = circumstances.Environment && request.Settings.IndirectScale > 0.0;
   if (!sky || this->Plan.SkySource != vtkIndirectPlan::SKY_BY_MAPS)
@@ -189,7 +192,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
     }
     this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   }
-  drawn = drawn && this->UpdateSenderMaps();
+  drawn = drawn && this->UpdateSenderMaps(this->Samplers);
   this->Timer.Begin(vtkIndirectStageTimer::Geometry);
   vtkIndirectShadowMaps shadows;
   const bool shadowed = drawn && this->Plan.Shadows;
@@ -224,7 +227,7 @@ bool vtkIndirectPipeline::DrawSurfaces(const vtkRenderState* s, const Request& r
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectPipeline::UpdateSenderMaps()
+bool vtkIndirectPipeline::UpdateSenderMaps(vtkIndirectFrameSamplers& samplers)
 {
   if (!this->Plan.HasSenderMaps())
   {
@@ -262,7 +265,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps()
     return emitters;
   };
   const bool drawn =
-    this->Samplers.UpdateSenderMaps(this->Frame, this->Plan, this->Capture, source, makeEmitters);
+    samplers.UpdateSenderMaps(this->Frame, this->Plan, this->Capture, source, makeEmitters);
   this->Timer.End(vtkIndirectStageTimer::ReflectiveShadowMap);
   return drawn;
 }
@@ -304,6 +307,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
       this->SumPart(part, input, drawn);
     }
   }
+  this->Refine(input);
   this->Timer.Begin(vtkIndirectStageTimer::Composite);
   this->FindBalance(request.MostReplaced);
   const bool composed = this->Composite.Composite(this->MakeCompositeInput());

@@ -17,6 +17,7 @@
 #include "Maps/vtkIndirectViewSamples.h"       // for a member
 #include "OpenGL/vtkIndirectKey.h"             // for keys
 #include "OpenGL/vtkIndirectResource.h"        // for the base class
+#include "Picture/vtkIndirectAccumulation.h"   // for a member
 #include "Picture/vtkIndirectAntialiasing.h"   // for members
 #include "Picture/vtkIndirectComposite.h"      // for members
 #include "Pipeline/vtkIndirectBounceLight.h"   // for a member
@@ -91,6 +92,8 @@ public:
   /** Marks the last frame as one without buffers, for this reason. */
   void Forget(const std::string& why);
   bool HasBuffers() const { return this->BuffersAreThere; }
+  /** Returns the number of depth maps and of batches of lights that a still picture lacks. */
+  long long CountWorkLeft() const;
   /** Returns true if the last frame's window is still the renderer's. */
   bool IsInWindow() const;
   /** Returns the estimator of the last frame; null before the first frame. */
@@ -141,12 +144,16 @@ private:
 
   vtkIndirectKey MakeFrameKey() const;
   void ChooseLights(const Request& request);
+  void Refine(const vtkIndirectFrameLight::Input& input);
+  bool AddBatch();
   void UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input);
   void SumPart(Part& part, const vtkIndirectFrameLight::Input& input, bool mapsDrawn);
   bool IsCurrent(const Part& part) const;
   void AppendAreaLights(vtkIndirectKey& key) const;
   void AddCoarseMapsToReport(vtkIndirectReport& report) const;
-  bool UpdateSenderMaps();
+  long long CountTilesLeft() const;
+  long long CountBatchesLeft() const;
+  bool UpdateSenderMaps(vtkIndirectFrameSamplers& samplers);
   void FindBalance(double mostReplaced);
   vtkIndirectComposite::Input MakeCompositeInput() const;
   glm::dvec3 FindGreatestIrradiance(const std::vector<vtkIndirectContribution>& lights) const;
@@ -160,7 +167,15 @@ private:
   vtkIndirectGeometryBuffer Geometry{ this };
   vtkIndirectCatchers Catchers{ this };
   vtkIndirectCreases Creases{ this };
-  vtkIndirectBounceLight Bounce{ this, Samplers, DepthMaps };
+  vtkIndirectBounceLight Bounce{ this, Samplers, DepthMaps, vtkIndirectDepthMaps::VIRTUAL_LIGHTS };
+  // A finer picture has lights and maps of its own: a moving frame takes those of the first picture
+  // up.
+  vtkIndirectFrameSamplers FinerSamplers{ this };
+  vtkIndirectBounceLight FinerBounce{ this, FinerSamplers, DepthMaps,
+    vtkIndirectDepthMaps::FURTHER_LIGHTS };
+  vtkIndirectAccumulation Accumulation{ this };
+  int Refinement = 0;      // the number of the refinement that comes next, or is under way, from 0
+  int NumberOfBatches = 0; // that are summed of it
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };
   vtkNew<vtkProxyAccumulationPass> Spheres; // its sum replaces SkyMaps

@@ -43,6 +43,8 @@ void vtkIndirectPipeline::AddSettings(vtkIndirectSettingList& list,
     .Add("ErrorTolerance", plan ? plan->EstimatorErrorTolerance : settings.ErrorTolerance)
     .Add("Caching", settings.Caching)
     .Add("MapsFirst", plan ? plan->WaitsForMaps : settings.MapsFirst)
+    .Add("NumberOfRefinements", plan ? plan->Refinements : settings.NumberOfRefinements)
+    .Add("IdleFrames", settings.IdleFrames)
     .Add("SpheresInMotion", settings.SpheresInMotion)
     .Add("RemainingGeometry", settings.RemainingGeometry)
     .Add("Timing", this->Timer.Enabled);
@@ -99,11 +101,9 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
         this->DepthMaps.Get(vtkIndirectDepthMaps::SKY).GetNumberOfTilesDrawn()) },
     { "tiles_drawn", static_cast<long long>(this->DepthMaps.GetNumberOfTilesDrawn()) },
     { "estimates", this->NumberOfEstimates } };
-  long long& left = report.Counters["tiles_left"];
-  for (const Part& part : this->Parts)
-  {
-    left += this->IsCurrent(part) || part.Waits ? part.Light->GetNumberOfTilesLeft() : 0;
-  }
+  report.Counters["tiles_left"] = this->CountTilesLeft();
+  report.Counters["refinements"] = this->Refinement;
+  report.Counters["batches_left"] = this->CountBatchesLeft();
   report.Add({}, this->Frame.DescribeLeftOut());
   if (!this->BuffersAreThere)
   {
@@ -116,7 +116,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
   }
   report.BackEndChoices = this->BackEndChoices;
   report.Bytes = this->Geometry.GetTarget().GetBytes() + this->Creases.GetBytes() +
-    this->Antialiasing.GetBytes() + this->VisibleLamps.GetBytes();
+    this->Accumulation.GetBytes() + this->Antialiasing.GetBytes() + this->VisibleLamps.GetBytes();
   report.Changed = this->FrameKey.FindChanges(this->LastFrameKey);
   report.Add(this->Plan.Modelled, this->Plan.LeftOut);
   if (this->Plan.Antialiasing && !this->Antialiasing.GetWhyNot().empty())

@@ -38,6 +38,17 @@ struct vtkIndirectVisibilityNeeds
   bool HasSphereLists() const { return this->Segments && !this->Maps; }
 };
 
+/** A part of a frame's virtual lights: light i is in batch i modulo Count. */
+struct vtkIndirectLightBatch
+{
+  int Number = 0;
+  int Count = 1;
+  bool operator==(const vtkIndirectLightBatch& other) const
+  {
+    return this->Number == other.Number && this->Count == other.Count;
+  }
+};
+
 /** This is the input of an estimator. All of it is valid for this frame, and read only. */
 struct vtkIndirectEstimateInput
 {
@@ -53,7 +64,8 @@ struct vtkIndirectEstimateInput
   vtkEnvironmentLight* Environment = nullptr;     // null where the frame has none
   vtkIndirectSkyProjection* Projection = nullptr; // of the environment onto directions
   const std::vector<vtkSmartPointer<vtkAreaLight>>* AreaLights = nullptr;
-  bool EyeMoved = false; // nothing else has changed since the estimator's last frame
+  bool EyeMoved = false;       // nothing else has changed since the estimator's last frame
+  vtkIndirectLightBatch Batch; // the lights to sum
 };
 
 /** This is an image of light that the composite adds to VTK's shading. */
@@ -68,9 +80,9 @@ struct vtkIndirectContribution
     LOBE       // radiance that lobes of a specular coefficient of one reflect
   };
   KindType Kind;
-  const vtkIndirectTarget* Target;
-  int Channel = 0;   // of the target
-  double Unit = 1.0; // light of a stored value of one
+  vtkIndirectTarget* Target; // a picture of more lights replaces its content
+  int Channel = 0;           // of the target
+  double Unit = 1.0;         // light of a stored value of one
   /**
    * This is the light at every few pixels from border to border, and Target has values for pixels
    * of mixed cells; null if each pixel has a value of its own. The composite interpolates it

@@ -44,7 +44,8 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.Interactive = IsInteractive(circumstances.UpdateRate);
   plan.WaitsForMaps = settings.MapsFirst && settings.Caching && !plan.Interactive;
   // A picture that goes to a file is whole; applications that show such pictures set a rate.
-  if (!circumstances.OffScreen || circumstances.UpdateRate > RateOfNobody)
+  plan.FinishesAtOnce = circumstances.OffScreen && circumstances.UpdateRate <= RateOfNobody;
+  if (!plan.FinishesAtOnce)
   {
     plan.TilesPerFrame = FindTilesPerFrame(frame.CountDepthTriangles(),
       static_cast<double>(frame.Casters.size()), circumstances.UpdateRate);
@@ -133,9 +134,32 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
       plan.Antialiasing          ? "by their shapes: what the pass draws has no samples to average"
         : !settings.Antialiasing ? "Antialiasing is off"
                                  : other + " antialiases the picture");
+  plan.FindRefinements(settings, estimator);
   plan.ReportTolerances(estimator);
   plan.LeaveOut(settings, estimator, circumstances);
   return plan;
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPlan::FindRefinements(
+  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
+{
+  if (settings.NumberOfRefinements == 0 || this->Interactive)
+  {
+    return;
+  }
+  const std::string why = !this->Irradiance         ? this->WhyNoIrradiance
+    : !settings.Caching                             ? "Caching is off"
+    : !estimator.Refines                            ? estimator.Name + " sums no lights in batches"
+    : this->Senders == HEADLIGHT                    ? "the eye's own surfaces send its light"
+    : this->OtherSamplers                           ? "passes add lights of their own samplers"
+    : this->Visibility != vtkIndirectVisibilityMaps ? "virtual lights have no depth maps"
+                                                    : "";
+  this->Refinements = why.empty() ? settings.NumberOfRefinements : 0;
+  if (!why.empty())
+  {
+    this->LeftOut.emplace_back("refinement of the still picture", why);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -24,6 +24,7 @@ struct vtkIndirectAbilities
   bool TakesSampler = false; // sums lights of the frame's sampler, not of its own sampler
   bool SpecularTransport = true;
   bool TakesLightMaps = false; // can look visibility up in a map of each virtual light
+  bool Refines = false;        // can sum lights in batches: its images have a value for each pixel
   /** Visibility AUTO means this one, unless the preset is PAPER. */
   int AutomaticVisibility = vtkIndirectVisibilityNone;
   /** It is true with the preset PAPER: automatic bounces are one, and automatic visibility is none.
@@ -179,6 +180,8 @@ struct vtkIndirectPlan
   static bool IsInteractive(double updateRate) { return updateRate >= 1.0; }
   bool Interactive = false;
   ///@}
+  int Refinements = 0;         // of a still picture, see vtkIndirectIlluminationPass
+  bool FinishesAtOnce = false; // a picture that goes to a file is whole
   bool WaitsForMaps = false;   // sums begin when no depth map is missing
   int TilesPerFrame = 1 << 30; // largest number of depth maps of virtual lights and of the sky to
                                // draw
@@ -271,6 +274,7 @@ private:
   void FindBounces(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void ReportTolerances(const vtkIndirectAbilities& estimator);
+  void FindRefinements(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
   void FindTolerances(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);

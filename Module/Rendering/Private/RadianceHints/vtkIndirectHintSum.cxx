@@ -168,7 +168,7 @@ vtkIndirectEstimate vtkIndirectHintSum::Estimate(const Input& input)
   }
   vtkIndirectEstimate result = this->MakeResult();
   result.State = this->Converged ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::REFINING;
-  const vtkIndirectReceiverGrid& coarse = this->GetCoarse();
+  vtkIndirectReceiverGrid& coarse = this->Coarse[this->CoarseNow];
   vtkIndirectContribution& irradiance = result.Contributions.front();
   const bool interpolated = coarse.GetStep() > 1;
   irradiance.Target = interpolated ? irradiance.Target : &coarse;

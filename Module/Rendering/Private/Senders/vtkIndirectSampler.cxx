@@ -81,6 +81,8 @@ void vtkIndirectSampler::ReleaseOwn(vtkWindow*)
   this->ContentTime.Modified();
   this->Branches.reset();
   this->Lobes.reset();
+  this->Rows = {};
+  this->BranchRows = {};
 }
 
 //------------------------------------------------------------------------------
@@ -132,7 +134,49 @@ void vtkIndirectSampler::Fill(vtkIndirectTarget& table, const std::vector<Row>& 
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectSampler::UpdateBatch(const Input& input)
+{
+  const bool other = !(input.Batch == this->Batch);
+  this->Batch = input.Batch;
+  const vtkMTimeType before = this->ContentTime.GetMTime();
+  if (!this->Update(input))
+  {
+    return false;
+  }
+  const bool written = this->ContentTime.GetMTime() != before;
+  return written || !other || this->Rows.empty() || this->WriteBatch(input.Frame);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSampler::WriteBatch(const vtkIndirectFrame& frame)
+{
+  constexpr size_t perLight = vtkIndirectKernels::VTKI_BRANCHES;
+  std::vector<Row> lights;
+  std::vector<Row> branches;
+  for (size_t i = static_cast<size_t>(this->Batch.Number); i < this->Rows.size();
+       i += static_cast<size_t>(this->Batch.Count))
+  {
+    lights.push_back(this->Rows[i]);
+    for (size_t k = 0; k < perLight && !this->BranchRows.empty(); ++k)
+    {
+      branches.push_back(this->BranchRows[perLight * i + k]);
+    }
+  }
+  return this->WriteAll(frame, lights, branches);
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectSampler::Write(
+  const vtkIndirectFrame& frame, const std::vector<Row>& lights, const std::vector<Row>& branches)
+{
+  const bool parts = this->Batch.Count > 1;
+  this->Rows = parts ? lights : std::vector<Row>();
+  this->BranchRows = parts ? branches : std::vector<Row>();
+  return parts ? this->WriteBatch(frame) : this->WriteAll(frame, lights, branches);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSampler::WriteAll(
   const vtkIndirectFrame& frame, const std::vector<Row>& lights, const std::vector<Row>& branches)
 {
   vtkOpenGLState* state = frame.Window->GetState();

@@ -6,6 +6,7 @@
 
 #include "OpenGL/vtkIndirectResource.h" // for the base class
 #include "OpenGL/vtkIndirectTarget.h"   // for members
+#include "Plan/vtkIndirectEstimate.h"   // for batches
 #include "vtkSmartPointer.h"            // for the guard
 #include "vtkTimeStamp.h"               // for a member
 
@@ -58,8 +59,9 @@ public:
     const vtkIndirectLightMaps& Maps;          // without maps where the frame has none
     const vtkIndirectGeometryBuffer& Geometry; // surfaces that the eye sees
     double ErrorTolerance = 0.02;              // of the irradiance, over its mean
-    int NumberOfBounces = 1;  // wanted number, for samplers that find several bounces
-    bool Interactive = false; // the window's rate is a frame a second or more
+    int NumberOfBounces = 1;     // wanted number, for samplers that find several bounces
+    bool Interactive = false;    // the window's rate is a frame a second or more
+    vtkIndirectLightBatch Batch; // the tables hold these lights alone
     /** The sky and area lights, which light surfaces besides the frame's lights. */
     const std::vector<vtkIndirectLight>* Emitters = nullptr;
     /** The frame's lights are among the emitters, whose light changes from frame to frame. */
@@ -128,6 +130,8 @@ public:
   virtual void AddSettings(vtkIndirectSettingList& list, const vtkIndirectPlan* plan) const;
   /** Brings the lights up to date. Returns false, after an error, when that fails. */
   virtual bool Update(const Input& input) = 0;
+  /** Updates the lights, and puts the input's batch into the tables. */
+  bool UpdateBatch(const Input& input);
   /** Returns the abilities. Default: the owner's number of lights, and nothing else. */
   virtual vtkIndirectSamplerAbilities GetAbilities() const;
   /**
@@ -186,6 +190,9 @@ protected:
 
 private:
   static void Fill(vtkIndirectTarget& table, const std::vector<Row>& rows, double source);
+  bool WriteBatch(const vtkIndirectFrame& frame);
+  bool WriteAll(const vtkIndirectFrame& frame, const std::vector<Row>& lights,
+    const std::vector<Row>& branches);
   bool WriteLobes(vtkOpenGLRenderWindow* window, const std::vector<Row>& lights);
 
   vtkVirtualLightSampler* Owner;
@@ -195,4 +202,8 @@ private:
   std::unique_ptr<vtkIndirectTarget> Lobes;
   vtkTimeStamp ContentTime;
   int NumberOfLights = 0;
+  vtkIndirectLightBatch Batch; // in the tables
+  // All lights, where the tables hold a batch of them.
+  std::vector<Row> Rows;
+  std::vector<Row> BranchRows;
 };

@@ -57,7 +57,7 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
   std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> contents;
   for (const vtkIndirectSampler::Pointer& sampler : samplers)
   {
-    if (!sampler->Update(input))
+    if (!sampler->UpdateBatch(input))
     {
       return false;
     }

@@ -49,9 +49,9 @@ public:
   /**
    * Draws irradiance of the key picture, and of the last frame where the key picture has none; of
    * the one that is there if there is only one. The last frame becomes the key picture every
-   * FramesPerKey frames: each draw from the last frame blurs a little, draws from a key picture blur
-   * once in its time. Pixels that have irradiance, and pixels without a lit surface, get the depth
-   * 0. Other pixels get the alpha VTKI_REPROJECTED_NONE and the depth 1. Within a
+   * FramesPerKey frames: each draw from the last frame blurs a little, draws from a key picture
+   * blur once in its time. Pixels that have irradiance, and pixels without a lit surface, get the
+   * depth 0. Other pixels get the alpha VTKI_REPROJECTED_NONE and the depth 1. Within a
    * vtkIndirectFullScreenState.
    */
   bool Draw(const vtkIndirectFrame& frame, const vtkIndirectGeometryBuffer& geometry,

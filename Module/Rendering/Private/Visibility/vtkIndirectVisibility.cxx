@@ -29,11 +29,13 @@ constexpr double DistanceOfTurn = 0.25;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectVisibility::vtkIndirectVisibility(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+vtkIndirectVisibility::vtkIndirectVisibility(
+  vtkIndirectResource* owner, vtkIndirectDepthMaps& maps, vtkIndirectDepthMaps::ClientType client)
   : vtkIndirectResource(owner)
   , Volume(new vtkIndirectOccupancyVolume(this))
   , DepthMaps(maps)
-  , Atlas(maps.Get(vtkIndirectDepthMaps::VIRTUAL_LIGHTS))
+  , Client(client)
+  , Atlas(maps.Get(client))
 {
 }
 
@@ -50,7 +52,7 @@ void vtkIndirectVisibility::Update(const Input& input, const Needs& needs)
   const bool volume = needs.HasVolume();
   if (lookedUp && !this->LooksUpMaps())
   {
-    this->DepthMaps.Release(vtkIndirectDepthMaps::VIRTUAL_LIGHTS, frame.Window);
+    this->DepthMaps.Release(this->Client, frame.Window);
     this->LightsTime = 0;
   }
   if (!volume && hadVolume)
@@ -181,8 +183,7 @@ void vtkIndirectVisibility::RequestMaps(const Input& input)
   {
     this->ReadLights(*lights);
   }
-  this->DepthMaps.Request(
-    vtkIndirectDepthMaps::VIRTUAL_LIGHTS, input.Frame, this->Maps, TexelsOfLights);
+  this->DepthMaps.Request(this->Client, input.Frame, this->Maps, TexelsOfLights);
 }
 
 //------------------------------------------------------------------------------
@@ -455,6 +456,6 @@ size_t vtkIndirectVisibility::GetMainMemoryBytes() const
 //------------------------------------------------------------------------------
 void vtkIndirectVisibility::ReleaseOwn(vtkWindow* window)
 {
-  this->DepthMaps.Release(vtkIndirectDepthMaps::VIRTUAL_LIGHTS, window);
+  this->DepthMaps.Release(this->Client, window);
   this->LightsTime = 0;
 }

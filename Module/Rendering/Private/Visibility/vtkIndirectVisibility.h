@@ -45,7 +45,9 @@ public:
     return this->WalksSegments() ? this->GetMaximumNumberOfSegments() : MaximumNumberOfSenders;
   }
 
-  vtkIndirectVisibility(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
+  /** client: of the depth maps of lights. */
+  vtkIndirectVisibility(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps,
+    vtkIndirectDepthMaps::ClientType client);
   ~vtkIndirectVisibility() override;
 
   /** This is the data that visibility is made from. */
@@ -130,6 +132,7 @@ private:
   double StepsOfSpheres = 0.0; // of a segment, in the mean
   bool SpheresAreTooMany = false;
   vtkIndirectDepthMaps& DepthMaps;
+  vtkIndirectDepthMaps::ClientType Client;
   const vtkIndirectDepthAtlas& Atlas;            // maps as they were drawn
   std::vector<vtkIndirectDepthMaps::Map> Lights; // maps of all lights
   std::vector<vtkIndirectDepthMaps::Map> Maps;   // maps that have a place in the atlas

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Light of a finer picture, whose virtual lights are too many for one frame: each frame adds the
+// light of a batch of them, in 32-bit floats. Until all are there the picture shows the light that
+// was there before.
+#pragma once
+
+#include "OpenGL/vtkIndirectFullScreenProgram.h" // for a member
+#include "OpenGL/vtkIndirectResource.h"          // for the base class
+#include "OpenGL/vtkIndirectTarget.h"            // for members
+#include "Plan/vtkIndirectEstimate.h"            // for contributions
+
+#include <memory> // for members
+#include <vector> // for lists
+
+struct vtkIndirectFrame;
+
+class vtkIndirectAccumulation : public vtkIndirectResource
+{
+public:
+  using Contributions = std::vector<vtkIndirectContribution>;
+
+  explicit vtkIndirectAccumulation(vtkIndirectResource* owner);
+
+  /**
+   * Keeps the light that the picture shows. Returns false, after an error, if OpenGL refuses; so do
+   * the other functions.
+   */
+  bool Keep(const vtkIndirectFrame& frame, const Contributions& picture);
+  /** Adds the light of a batch; first: it is the first one. */
+  bool Add(const vtkIndirectFrame& frame, const Contributions& batch, bool first);
+  /** Keeps the sum of all batches in place of the light before. */
+  void Finish() { this->Kept.swap(this->Sums); }
+  /** Writes the light that is kept into these images. */
+  bool Show(const vtkIndirectFrame& frame, const Contributions& picture);
+
+private:
+  using Images = std::vector<std::unique_ptr<vtkIndirectTarget>>; // of each contribution
+
+  bool Resize(const vtkIndirectFrame& frame, size_t count, Images& images);
+  bool Draw(const vtkIndirectFrame& frame, const vtkIndirectTarget& from, int channel, double scale,
+    bool adds, vtkIndirectTarget& to);
+
+  Images Kept;
+  Images Sums;
+  vtkIndirectFullScreenProgram Copy{ this, "vtkIndirectAccumulateFS.glsl" };
+};

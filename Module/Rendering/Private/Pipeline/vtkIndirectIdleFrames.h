@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Frames of a window that nobody touches: while its picture lacks depth maps or a refinement, a
+// timer of the interactor draws the next frame. Each frame is an event of its own, so that input
+// comes in between.
+#pragma once
+
+#include "vtkCallbackCommand.h"        // for a member
+#include "vtkNew.h"                    // for a member
+#include "vtkRenderWindowInteractor.h" // for a member
+#include "vtkWeakPointer.h"            // for a member
+
+class vtkRenderWindow;
+
+class vtkIndirectIdleFrames
+{
+public:
+  vtkIndirectIdleFrames();
+  ~vtkIndirectIdleFrames();
+  vtkIndirectIdleFrames(const vtkIndirectIdleFrames&) = delete;
+  void operator=(const vtkIndirectIdleFrames&) = delete;
+
+  /**
+   * Ends a frame of a window. left: the work that further frames have. There is a next frame if a
+   * timer can be had, and, after a frame of the timer, if that frame has left less than the one
+   * before.
+   */
+  void EndFrame(vtkRenderWindow* window, long long left);
+  /** Removes the timer. */
+  void Stop();
+
+private:
+  static void OnTimer(vtkObject* caller, unsigned long event, void* self, void* data);
+
+  vtkNew<vtkCallbackCommand> Command;
+  vtkWeakPointer<vtkRenderWindowInteractor> Interactor; // that has the timer
+  int Timer = 0;                                        // 0: none
+  unsigned long Tag = 0;
+  bool IsOwn = false; // the timer draws the frame
+  long long Left = 0; // after the last frame
+};

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Refinement of a still picture by more virtual lights, in batches."""
+
+import unittest
+
+import numpy as np
+import support
+from rooms import make_actor, make_ball, make_room
+from vtkmodules.vtkRenderingCore import vtkRenderer
+from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
+
+import vtkindirect
+from vtkindirect import frames, windows
+
+SIZE = (192, 144)
+# At SEEN somebody sees each still frame; off screen a picture at FILED is finished at once.
+FILED, SEEN, MOVING = 1e-4, 0.01, 15.0
+LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
+BATCHES = 32
+"""Batches of the first refinement: 2048 lights, 64 a batch."""
+
+
+def irradiance(renderer: vtkRenderer) -> np.ndarray:
+    return vtkindirect.copy_buffer(renderer, "irradiance").astype(float) @ LUMINANCE
+
+
+def counter(renderer: vtkRenderer, name: str) -> int:
+    return vtkindirect.report(renderer)["counters"][name]
+
+
+def rms(picture: np.ndarray, other: np.ndarray) -> float:
+    """Return the RMS difference over the mean."""
+    shown = other > 0
+    return np.sqrt(np.mean((picture - other)[shown] ** 2)) / other[shown].mean()
+
+
+@unittest.skipIf(support.why_no_rendering(), support.why_no_rendering())
+class Refinement(unittest.TestCase):
+    def add_room(self, refinements: int, rate: float = SEEN, **settings) -> vtkRenderer:
+        """Return a room in a window of its own, and make the window the current one."""
+        self.window = windows.render_window(SIZE, offscreen=True)
+        self.window.SetDesiredUpdateRate(rate)
+        self.addCleanup(self.window.Finalize)
+        renderer = make_room(make_actor(make_ball()))
+        given = {"lighting": "scene", "NumberOfRefinements": refinements, **settings}
+        vtkindirect.enable(renderer, **given)
+        self.window.AddRenderer(renderer)
+        return renderer
+
+    def render(self, times: int = 1) -> None:
+        for _ in range(times):
+            self.window.Render()
+
+    def finish(self, renderer: vtkRenderer) -> np.ndarray:
+        """Return the irradiance of the finished picture."""
+        self.render()
+        for _ in frames.fill([renderer.GetPass()]):
+            self.render()
+        return irradiance(renderer)
+
+    def test_each_still_frame_adds_a_batch(self) -> None:
+        renderer = self.add_room(1)
+        left = []
+        for _ in range(BATCHES + 3):
+            self.render()
+            left.append(counter(renderer, "batches_left"))
+        self.assertEqual(left, [BATCHES, *range(BATCHES - 1, -1, -1), 0, 0])
+        self.assertEqual(counter(renderer, "refinements"), 1)
+
+    def test_the_picture_stays_until_all_batches_are_there(self) -> None:
+        renderer = self.add_room(1)
+        self.render()
+        first = irradiance(renderer)
+        for _ in range(BATCHES - 1):
+            self.render()
+            # The picture is kept in 16-bit floats.
+            np.testing.assert_allclose(irradiance(renderer), first, rtol=2e-3, atol=1e-6)
+        self.render()
+        self.assertGreater(rms(irradiance(renderer), first), 1e-3)
+
+    def test_the_picture_stays_as_it_is_by_default(self) -> None:
+        renderer = self.add_room(0)
+        self.render()
+        first = irradiance(renderer)
+        self.render(2)
+        self.assertEqual(counter(renderer, "batches_left"), 0)
+        np.testing.assert_array_equal(irradiance(renderer), first)
+
+    def test_batches_add_up_to_the_light_of_all_lights(self) -> None:
+        # Each batch is interpolated for itself, so that pixels differ by less than the tolerance.
+        refined = self.finish(self.add_room(1))
+        at_once = self.finish(self.add_room(0, NumberOfLights=2048))
+        self.assertLess(rms(refined, at_once), 0.02)
+        self.assertAlmostEqual(refined.mean() / at_once.mean(), 1.0, delta=0.002)
+
+    def test_a_picture_for_a_file_is_refined_at_once(self) -> None:
+        stepwise = self.finish(self.add_room(1))
+        renderer = self.add_room(1, FILED)
+        self.render()
+        self.assertEqual(counter(renderer, "refinements"), 1)
+        self.assertEqual(counter(renderer, "batches_left"), 0)
+        np.testing.assert_array_equal(irradiance(renderer), stepwise)
+
+    def test_a_change_begins_anew(self) -> None:
+        renderer = self.add_room(1)
+        self.finish(renderer)
+        renderer.GetLights().GetItemAsObject(0).SetIntensity(0.5)
+        self.render()
+        self.assertEqual(counter(renderer, "batches_left"), BATCHES)
+        fresh = irradiance(renderer)
+        alone = self.add_room(0)
+        alone.GetLights().GetItemAsObject(0).SetIntensity(0.5)
+        np.testing.assert_allclose(fresh, self.finish(alone), rtol=2e-3, atol=1e-6)
+
+    def test_a_camera_that_moves_takes_the_picture_up(self) -> None:
+        renderer = self.add_room(1)
+        shown = self.finish(renderer)
+        tiles = counter(renderer, "tiles_drawn")
+        renderer.GetActiveCamera().Azimuth(0.25)
+        self.window.SetDesiredUpdateRate(MOVING)
+        self.render()
+        self.assertEqual(counter(renderer, "tiles_drawn"), tiles)
+        self.assertEqual(counter(renderer, "batches_left"), 0)
+        # Places keep their irradiance: a quarter of a degree shows few others.
+        self.assertAlmostEqual(irradiance(renderer).mean() / shown.mean(), 1.0, delta=0.02)
+
+    def test_the_report_says_why_there_is_none(self) -> None:
+        renderer = self.add_room(1, method="hints")
+        self.render(2)
+        left_out = vtkindirect.report(renderer)["left_out"]
+        self.assertIn("refinement of the still picture", [entry["what"] for entry in left_out])
+        self.assertEqual(counter(renderer, "batches_left"), 0)
+
+    def add_interactor(self) -> tuple[vtkGenericRenderWindowInteractor, list[str]]:
+        """Return an interactor of the window whose toolkit is this test, and the timers it made."""
+        interactor = vtkGenericRenderWindowInteractor()
+        interactor.SetRenderWindow(self.window)
+        interactor.Initialize()
+        timers: list[str] = []
+        interactor.AddObserver("CreateTimerEvent", lambda *_: timers.append("made"))
+        interactor.AddObserver("DestroyTimerEvent", lambda *_: timers.append("destroyed"))
+        return interactor, timers
+
+    def test_a_timer_of_the_interactor_finishes_the_picture(self) -> None:
+        renderer = self.add_room(1)
+        interactor, timers = self.add_interactor()
+        self.render()
+        left = before = counter(renderer, "batches_left")
+        while timers and timers[-1] == "made":
+            interactor.TimerEvent()
+            left -= 1
+            self.assertEqual(counter(renderer, "batches_left"), left)
+        self.assertEqual(left, 0)
+        self.assertEqual(timers, ["made", "destroyed"] * before)
+
+    def test_moving_frames_and_finished_pictures_have_no_timer(self) -> None:
+        self.add_room(0)
+        _, timers = self.add_interactor()
+        self.render(2)
+        self.assertEqual(timers, [])
+        self.add_room(1)
+        _, timers = self.add_interactor()
+        self.window.SetDesiredUpdateRate(MOVING)
+        self.render(2)
+        self.assertEqual(timers, [])
+
+    def test_applications_may_draw_frames_themselves(self) -> None:
+        self.add_room(1, IdleFrames=False)
+        _, timers = self.add_interactor()
+        self.render(2)
+        self.assertEqual(timers, [])
+
+    def test_the_timer_goes_with_the_pass(self) -> None:
+        renderer = self.add_room(1)
+        interactor, timers = self.add_interactor()
+        self.render()
+        self.assertEqual(timers, ["made"])
+        vtkindirect.disable(renderer)
+        self.assertEqual(timers, ["made", "destroyed"])
+        interactor.TimerEvent()
+
+
+if __name__ == "__main__":
+    unittest.main()
