@@ -101,6 +101,15 @@ class Refinement(unittest.TestCase):
         self.assertEqual(counter(renderer, "batches_left"), 0)
         np.testing.assert_array_equal(irradiance(renderer), stepwise)
 
+    def test_a_finished_picture_has_no_more_textures_than_the_first(self) -> None:
+        renderer = self.add_room(1)
+        self.render()
+        first = vtkindirect.report(renderer)["bytes"]
+        self.render()
+        self.assertGreater(vtkindirect.report(renderer)["bytes"], first)
+        self.finish(renderer)
+        self.assertEqual(vtkindirect.report(renderer)["bytes"], first)
+
     def test_a_change_begins_anew(self) -> None:
         renderer = self.add_room(1)
         self.finish(renderer)

@@ -162,11 +162,11 @@ def fill(passes: list[Any], step: Step = no_step) -> Iterator[None]:
         step(f"{left} depth maps to draw", math.ceil(left / max(now - before, 1)) - 1)
         before = now
         yield
-    left = max(map(batches_left, passes), default=0)
-    while left > 0:
+    left, before = max(map(batches_left, passes), default=0), math.inf
+    while 0 < left < before:
         step(f"{left} batches of lights to sum", left - 1)
         yield
-        left = max(map(batches_left, passes), default=0)
+        left, before = max(map(batches_left, passes), default=0), left
 
 
 def _steps(

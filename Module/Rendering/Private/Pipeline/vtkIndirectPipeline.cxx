@@ -575,6 +575,7 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
 //------------------------------------------------------------------------------
 void vtkIndirectPipeline::ReleaseOwn(vtkWindow* window)
 {
+  this->RefinementIsRefused = false;
   this->Capture->ReleaseGraphicsResources(window);
   this->Maps.Release(window);
   this->DepthMaps.Release(window);

@@ -146,6 +146,7 @@ private:
   void ChooseLights(const Request& request);
   void Refine(const vtkIndirectFrameLight::Input& input);
   bool AddBatch();
+  void ReleaseRefinement();
   void UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input);
   void SumPart(Part& part, const vtkIndirectFrameLight::Input& input, bool mapsDrawn);
   bool IsCurrent(const Part& part) const;
@@ -176,6 +177,7 @@ private:
   vtkIndirectAccumulation Accumulation{ this };
   int Refinement = 0;      // the number of the refinement that comes next, or is under way, from 0
   int NumberOfBatches = 0; // that are summed of it
+  bool RefinementIsRefused = false; // by OpenGL, after an error
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };
   vtkNew<vtkProxyAccumulationPass> Spheres; // its sum replaces SkyMaps

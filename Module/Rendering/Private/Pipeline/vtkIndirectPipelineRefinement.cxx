@@ -44,10 +44,28 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
   {
     this->Refinement = this->NumberOfBatches = 0;
   }
-  bool adds = stands && (this->Plan.FinishesAtOnce || !isNew);
+  bool adds = stands && (this->Plan.FinishesAtOnce || !isNew) && !this->RefinementIsRefused;
   while (adds && this->Refinement < this->Plan.Refinements)
   {
-    adds = this->AddBatch() && this->Plan.FinishesAtOnce;
+    this->RefinementIsRefused = !this->AddBatch();
+    adds = this->Plan.FinishesAtOnce && !this->RefinementIsRefused;
+  }
+  const bool ended = this->RefinementIsRefused || this->Refinement >= this->Plan.Refinements;
+  if (ended && !this->Plan.Interactive && this->Accumulation.GetBytes() > 0)
+  {
+    this->ReleaseRefinement();
+  }
+}
+
+//------------------------------------------------------------------------------
+// The finished picture is in the images of the first one.
+void vtkIndirectPipeline::ReleaseRefinement()
+{
+  vtkIndirectResource* const all[] = { &this->FinerBounce, &this->FinerSamplers,
+    &this->Accumulation };
+  for (vtkIndirectResource* resource : all)
+  {
+    resource->Release(this->Frame.Window);
   }
 }
 
@@ -94,6 +112,10 @@ bool vtkIndirectPipeline::AddBatch()
   done = done && this->Accumulation.Show(this->Frame, picture);
   part.IsThere = done;
   part.Time = part.Light->GetEstimateTime();
+  if (!done)
+  {
+    part.Key.Clear(); // the next frame makes the picture anew
+  }
   return done;
 }
 
@@ -105,7 +127,7 @@ long long vtkIndirectPipeline::CountBatchesLeft() const
   {
     left += CountBatches(i);
   }
-  return this->BuffersAreThere ? left : 0;
+  return this->BuffersAreThere && !this->RefinementIsRefused ? left : 0;
 }
 
 //------------------------------------------------------------------------------
