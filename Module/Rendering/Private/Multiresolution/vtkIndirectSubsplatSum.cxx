@@ -191,6 +191,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   if (this->SetIrradianceStorage(settings.HalfFloats, unit, true))
   {
     this->Reprojection.Release(window);
+    this->Reprojection.Drop();
   }
   this->IsReprojected = input.EyeMoved && this->IsCoarse(&input.Plan) &&
     this->CanReproject(input) && this->Reprojection.Has(frame, unit);
@@ -270,6 +271,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   if (!this->CanReproject(input))
   {
     this->Reprojection.Release(window);
+    this->Reprojection.Drop();
   }
   else if (!this->Reprojection.Keep(frame, input.Geometry, unit))
   {

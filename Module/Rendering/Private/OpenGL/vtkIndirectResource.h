@@ -26,7 +26,10 @@ public:
 protected:
   /** Returns false if no resource can be in this window's context, so that Release does nothing. */
   virtual bool CanRelease(vtkWindow*) { return true; }
-  /** Releases resources that no part holds, and forgets what depends on the parts' content. */
+  /**
+   * Releases resources that no part holds, and forgets what depends on the parts' content. May
+   * destroy its own parts, but not those of its owner, which is releasing them.
+   */
   virtual void ReleaseOwn(vtkWindow*) {}
   /** Returns the bytes that no part holds. */
   virtual size_t GetOwnBytes() const { return 0; }

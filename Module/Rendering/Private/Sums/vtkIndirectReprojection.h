@@ -58,7 +58,8 @@ public:
     vtkIndirectTarget& irradiance);
 
 protected:
-  void ReleaseOwn(vtkWindow*) override { this->Drop(); }
+  // The images are parts of the caller, which releases them.
+  void ReleaseOwn(vtkWindow*) override { this->Last.IsThere = this->Key.IsThere = false; }
 
 private:
   static constexpr int FramesPerKey = 16;
