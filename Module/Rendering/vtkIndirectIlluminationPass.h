@@ -311,9 +311,9 @@ public:
   ///@{
   /**
    * Number of times, 0 to 3, that a still picture is summed anew of four times as many virtual
-   * lights: of 2048, 8192 and 32768. While nothing changes, each frame draws the depth maps of 64 of the
-   * lights and sums their light; the picture changes when all of them are there. A picture off
-   * screen, at an update rate of 0.001 or less, is refined at once. Render while the report's
+   * lights: of 2048, 8192 and 32768. While nothing changes, each frame draws the depth maps of 64
+   * of the lights and sums their light; the picture changes when all of them are there. A picture
+   * off screen, at an update rate of 0.001 or less, is refined at once. Render while the report's
    * batches_left is above 0. Default: 0. This is for vtkMultiresolutionSplattingPass, the default
    * estimator, and for lights of maps; the report names under left_out what is not refined.
    */

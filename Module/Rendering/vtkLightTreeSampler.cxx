@@ -21,15 +21,11 @@ namespace
 // More texels leave less than a thousandth of the mean squared relative error, and take longer to
 // divide than maps take to draw.
 constexpr size_t MostTexels = 65536;
-// More lights than an automatic number may have are worth more texels: with 8192 lights the relMSE
-// of a brain to all bounces is 0.0098 with as many texels and vertices as usual, and 0.0062 with
-// these.
-constexpr size_t MostTexelsOfMany = 4 * MostTexels;
 
 // The range of automatic numbers of lights: enough for walls and bodies, and for many small
 // objects. See Documentation/methods/light-tree.md.
 constexpr int LeastLights = 128;
-constexpr int MostLights = 1024;
+constexpr int MostLights = vtkIndirectSamplerAbilities::MostAutomaticLights;
 
 class TreeLights : public vtkIndirectSampler
 {
@@ -105,7 +101,8 @@ bool TreeLights::Update(const Input& input)
   // Windows follow the camera: while the camera moves, lights stay.
   const vtkMTimeType windowTime = input.Maps.GetWindowTime();
   const bool moved = this->WindowTime != windowTime && !input.Interactive;
-  const size_t texels = this->Set.GetNumberOfLights() > MostLights ? MostTexelsOfMany : MostTexels;
+  const size_t texels = MostTexels *
+    static_cast<size_t>(vtkIndirectSamplerAbilities::FindDetail(this->Set.GetNumberOfLights()));
   const bool read =
     this->MapTime != time || moved || anew || gone || texels != this->NumberOfTexels;
   const vtkIndirectFurtherSenders* further = input.Further;

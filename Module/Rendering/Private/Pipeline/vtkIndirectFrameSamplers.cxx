@@ -18,9 +18,6 @@ namespace
 // Later bounces are made of this many vertices and lights. See
 // Documentation/methods/random-walk.md.
 constexpr int VerticesOfLaterBounces = 65536;
-// More lights than this come from four times as many vertices, as from more texels of maps; see
-// vtkLightTreeSampler.
-constexpr int ManyLights = 1024;
 constexpr int LightsOfLaterBounces = 64;
 }
 
@@ -75,7 +72,7 @@ void vtkIndirectFrameSamplers::Choose(const vtkIndirectFrame& frame, const vtkIn
     own ? own->GetAbilities() : vtkIndirectSamplerAbilities();
   this->Senders->Follow(abilities, plan.LightsTurn);
   this->LaterBounces->SetNumberOfVertices(
-    abilities.NumberOfLights > ManyLights ? 4 * VerticesOfLaterBounces : VerticesOfLaterBounces);
+    VerticesOfLaterBounces * vtkIndirectSamplerAbilities::FindDetail(abilities.NumberOfLights));
   vtkIndirectSampler::Pointer sampler = own;
   if (sampler && plan.Senders == vtkIndirectPlan::HEADLIGHT)
   {

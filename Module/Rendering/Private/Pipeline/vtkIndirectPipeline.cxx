@@ -278,9 +278,7 @@ void vtkIndirectPipeline::DrawLight(const Request& request)
   this->FrameKey = this->MakeFrameKey();
   this->ChooseLights(request);
   this->Creases.Begin();
-  const vtkIndirectFrameLight::Input input = { this->Frame, this->Plan, this->Geometry,
-    this->Creases, this->Maps, nullptr, this->Bounce.GetVisibility(), false, this->Timer,
-    this->Environment, &this->SkyProjection, &this->ClosedAreaLights };
+  const vtkIndirectFrameLight::Input input = this->MakeInput(this->Bounce.GetVisibility());
   for (Part& part : this->Parts)
   {
     if (part.IsAsked)

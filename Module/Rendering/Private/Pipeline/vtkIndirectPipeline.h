@@ -144,6 +144,12 @@ private:
 
   vtkIndirectKey MakeFrameKey() const;
   void ChooseLights(const Request& request);
+  vtkIndirectFrameLight::Input MakeInput(const vtkIndirectVisibility& visibility)
+  {
+    return { this->Frame, this->Plan, this->Geometry, this->Creases, this->Maps, nullptr,
+      visibility, false, this->Timer, this->Environment, &this->SkyProjection,
+      &this->ClosedAreaLights };
+  }
   void Refine(const vtkIndirectFrameLight::Input& input);
   bool AddBatch();
   void ReleaseRefinement();

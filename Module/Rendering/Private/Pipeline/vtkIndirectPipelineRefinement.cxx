@@ -74,9 +74,7 @@ void vtkIndirectPipeline::ReleaseRefinement()
 bool vtkIndirectPipeline::AddBatch()
 {
   Part& part = this->Parts[0];
-  vtkIndirectFrameLight::Input input = { this->Frame, this->Plan, this->Geometry, this->Creases,
-    this->Maps, nullptr, this->FinerBounce.GetVisibility(), false, this->Timer, this->Environment,
-    &this->SkyProjection, &this->ClosedAreaLights };
+  vtkIndirectFrameLight::Input input = this->MakeInput(this->FinerBounce.GetVisibility());
   input.Batch = { this->NumberOfBatches, CountBatches(this->Refinement) };
   vtkVirtualLightSampler* const sampler = this->FinerSamplers.Default;
   sampler->SetNumberOfLights(CountLights(this->Refinement));

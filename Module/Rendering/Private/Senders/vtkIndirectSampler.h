@@ -30,6 +30,15 @@ struct vtkIndirectReport;
 /** These are the properties of a sampler that the rest of a frame depends on. */
 struct vtkIndirectSamplerAbilities
 {
+  /** An automatic number of lights is at most this one. */
+  static constexpr int MostAutomaticLights = 1024;
+  /**
+   * Returns how many times as many senders, texels of maps and vertices of walks, so many lights
+   * are worth: with 8192 lights the relMSE of a brain to all bounces is 0.0098 with as many senders
+   * as usual, and 0.0062 with four times as many.
+   */
+  static constexpr int FindDetail(int lights) { return lights > MostAutomaticLights ? 4 : 1; }
+
   /**
    * Wanted number of lights. The sky and area lights together get as many, and so does each body
    * of glass.
