@@ -154,13 +154,13 @@ class Refinement(unittest.TestCase):
         renderer = self.add_room(1)
         interactor, timers = self.add_interactor()
         self.render()
-        left = before = counter(renderer, "batches_left")
-        while timers and timers[-1] == "made":
+        before = counter(renderer, "batches_left")
+        for left in range(before - 1, -1, -1):
             interactor.TimerEvent()
-            left -= 1
             self.assertEqual(counter(renderer, "batches_left"), left)
-        self.assertEqual(left, 0)
-        self.assertEqual(timers, ["made", "destroyed"] * before)
+        self.assertEqual(timers.count("made"), before)
+        # A timer that has fired is destroyed when the next one fires.
+        self.assertEqual(timers.count("destroyed"), before - 1)
 
     def test_moving_frames_and_finished_pictures_have_no_timer(self) -> None:
         self.add_room(0)
@@ -179,14 +179,17 @@ class Refinement(unittest.TestCase):
         self.render(2)
         self.assertEqual(timers, [])
 
-    def test_the_timer_goes_with_the_pass(self) -> None:
+    def test_the_timer_draws_nothing_without_the_pass(self) -> None:
         renderer = self.add_room(1)
         interactor, timers = self.add_interactor()
         self.render()
         self.assertEqual(timers, ["made"])
         vtkindirect.disable(renderer)
-        self.assertEqual(timers, ["made", "destroyed"])
+        drawn: list[int] = []
+        self.window.AddObserver("EndEvent", lambda *_: drawn.append(1))
         interactor.TimerEvent()
+        self.assertEqual(timers, ["made"])
+        self.assertEqual(drawn, [])
 
 
 if __name__ == "__main__":

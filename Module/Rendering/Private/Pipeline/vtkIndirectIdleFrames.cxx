@@ -26,34 +26,41 @@ vtkIndirectIdleFrames::~vtkIndirectIdleFrames()
 //------------------------------------------------------------------------------
 void vtkIndirectIdleFrames::Stop()
 {
-  if (this->Interactor && this->Timer != 0)
+  if (this->Interactor)
   {
     this->Interactor->RemoveObserver(this->Tag);
-    this->Interactor->DestroyTimer(this->Timer);
   }
   this->Interactor = nullptr;
+  this->Timers.clear();
   this->Timer = 0;
 }
 
 //------------------------------------------------------------------------------
+// A timer of an earlier frame may have fired unnoticed, since an interactor style that is in motion
+// has all events to itself. This may be a callback of such a timer, so none is destroyed here: VTK
+// 9.1's X interactor steps from the entry of a timer in its list to the next one after the event.
 void vtkIndirectIdleFrames::EndFrame(vtkRenderWindow* window, long long left)
 {
   const bool goesOn = left > 0 && (!this->IsOwn || left < this->Left);
   this->Left = left;
   vtkRenderWindowInteractor* const interactor = window->GetInteractor();
-  if (interactor != this->Interactor || !goesOn)
+  if (interactor != this->Interactor)
   {
     this->Stop();
   }
-  if (goesOn && this->Timer == 0 && interactor && interactor->GetInitialized())
+  // Interactors without timers return 0.
+  this->Timer = goesOn && interactor && interactor->GetInitialized()
+    ? interactor->CreateOneShotTimer(Pause)
+    : 0;
+  if (this->Timer == 0)
   {
-    // Interactors without timers return 0.
-    this->Timer = interactor->CreateOneShotTimer(Pause);
-    if (this->Timer != 0)
-    {
-      this->Interactor = interactor;
-      this->Tag = interactor->AddObserver(vtkCommand::TimerEvent, this->Command);
-    }
+    return;
+  }
+  this->Timers.push_back(this->Timer);
+  if (!this->Interactor)
+  {
+    this->Interactor = interactor;
+    this->Tag = interactor->AddObserver(vtkCommand::TimerEvent, this->Command);
   }
 }
 
@@ -62,11 +69,16 @@ void vtkIndirectIdleFrames::OnTimer(vtkObject*, unsigned long, void* self, void*
 {
   auto* const idle = static_cast<vtkIndirectIdleFrames*>(self);
   const vtkWeakPointer<vtkRenderWindowInteractor> interactor = idle->Interactor;
-  if (!interactor || !data || *static_cast<int*>(data) != idle->Timer)
+  if (!interactor || !data || idle->Timer == 0 || *static_cast<int*>(data) != idle->Timer)
   {
     return;
   }
-  idle->Stop();
+  // An interactor has an entry of each timer that has fired until somebody destroys the timer.
+  std::vector<int>& timers = idle->Timers;
+  for (; timers.size() > 1; timers.erase(timers.begin()))
+  {
+    interactor->DestroyTimer(timers.front());
+  }
   idle->IsOwn = true;
   interactor->Render();
   idle->IsOwn = false;

@@ -9,6 +9,8 @@
 #include "vtkRenderWindowInteractor.h" // for a member
 #include "vtkWeakPointer.h"            // for a member
 
+#include <vector> // for a list
+
 class vtkRenderWindow;
 
 class vtkIndirectIdleFrames
@@ -25,7 +27,7 @@ public:
    * before.
    */
   void EndFrame(vtkRenderWindow* window, long long left);
-  /** Removes the timer. */
+  /** Lets timers that are still to fire draw nothing. */
   void Stop();
 
 private:
@@ -33,7 +35,8 @@ private:
 
   vtkNew<vtkCallbackCommand> Command;
   vtkWeakPointer<vtkRenderWindowInteractor> Interactor; // that has the timer
-  int Timer = 0;                                        // 0: none
+  int Timer = 0;                                        // of the next frame; 0: none
+  std::vector<int> Timers;                              // that the interactor has
   unsigned long Tag = 0;
   bool IsOwn = false; // the timer draws the frame
   long long Left = 0; // after the last frame

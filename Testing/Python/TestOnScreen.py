@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Windows on a screen, in VTK's own event loop. Xvfb is the screen, xdotool the hand."""
+
+import os
+import shutil
+import subprocess
+import sys
+import threading
+import unittest
+from pathlib import Path
+
+import support
+from seen_window import INTERACTIVE
+
+PROGRAM = Path(__file__).resolve().parent / "seen_window.py"
+BATCHES = 32
+"""Batches of a refinement of 2048 lights."""
+BEFORE_DRAG = 5
+PATIENCE = 90.0
+"""Seconds until an event loop counts as hung: 20 times what it takes on two cores."""
+
+
+def why_no_screen() -> str:
+    missing = [name for name in ("Xvfb", "xdotool") if not shutil.which(name)]
+    return support.why_no_rendering() or (f"{', '.join(missing)} not found" if missing else "")
+
+
+@unittest.skipIf(why_no_screen(), why_no_screen())
+class OnScreen(unittest.TestCase):
+    def setUp(self) -> None:
+        read, write = os.pipe()
+        screen = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", "640x480x24", "-nolisten", "tcp"],
+            pass_fds=[write],
+            stderr=subprocess.DEVNULL,
+        )
+        os.close(write)
+        self.addCleanup(screen.wait)
+        self.addCleanup(screen.terminate)
+        with os.fdopen(read) as numbers:
+            self.environment = {**os.environ, "DISPLAY": f":{numbers.readline().strip()}"}
+
+    def move(self, *arguments: object) -> None:
+        subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True)
+
+    def drag(self) -> None:
+        self.move("mousemove", 40, 60, "mousedown", 1)
+        for x in (45, 50, 55, 60, 65):
+            self.move("mousemove", x, 60, "sleep", 0.1)
+        self.move("mouseup", 1)
+
+    def test_a_picture_is_refined_until_somebody_drags_and_after_that(self) -> None:
+        rows: list[tuple[float, int]] = []
+        with subprocess.Popen(
+            [sys.executable, str(PROGRAM)], env=self.environment, stdout=subprocess.PIPE, text=True
+        ) as seen:
+            patience = threading.Timer(PATIENCE, seen.kill)
+            patience.start()
+            for line in seen.stdout:
+                rate, left = line.split()
+                rows.append((float(rate), int(left)))
+                if len(rows) == BEFORE_DRAG:
+                    self.drag()
+            patience.cancel()
+        self.assertEqual(seen.returncode, 0, f"after {rows}")
+        moving = [i for i, (rate, _) in enumerate(rows) if rate >= INTERACTIVE]
+        self.assertGreaterEqual(len(moving), 3)
+        self.assertEqual({rows[i][1] for i in moving}, {0})
+        before = [left for _, left in rows[: moving[0]]]
+        after = [left for _, left in rows[moving[-1] + 1 :]]
+        self.assertEqual(before, list(range(BATCHES, BATCHES - len(before), -1)))
+        self.assertLess(len(before), BATCHES)
+        self.assertEqual(after, list(range(BATCHES, -1, -1)))
+
+
+if __name__ == "__main__":
+    unittest.main()
