@@ -309,6 +309,8 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   request.Circumstances.OwnDelegate = this->DelegatePass != nullptr;
   request.Circumstances.UpdateRate = window->GetDesiredUpdateRate();
   request.Circumstances.OffScreen = window->GetOffScreenRendering() != 0;
+  request.Circumstances.IdleFrames =
+    this->Settings.IdleFrames && vtkIndirectIdleFrames::CanFollow(window);
   request.Circumstances.OtherAntialiasing =
     vtkIndirectRendererWork::FindAntialiasing(s, this->Settings.RemainingGeometry);
   if (in.Delegate.IsRefused(this->DelegatePass))

@@ -312,12 +312,25 @@ public:
   /**
    * Number of times, 0 to 3, that a still picture is summed anew of four times as many virtual
    * lights: of 2048, 8192 and 32768. While nothing changes, each frame draws the depth maps of 64
-   * of the lights and sums their light; the picture changes when all of them are there. A picture
-   * off screen, at an update rate of 0.001 or less, is refined at once. Render while the report's
-   * batches_left is above 0. Default: 0. This is for vtkMultiresolutionSplattingPass, the default
-   * estimator, and for lights of maps; the report names under left_out what is not refined.
+   * of the lights and sums their light; when all of them are there, the finer picture takes the
+   * place of the one before, on a screen within eight frames. A picture off screen, at an update
+   * rate of 0.001 or less, is refined at once. Render while the report's batches_left is above 0.
+   * Default -1, automatic: 2 on a screen, where IdleFrames draw them; 3 with a TimeBudget; else 0.
+   * This is for vtkMultiresolutionSplattingPass, the default estimator, and for lights of maps; the
+   * report names under left_out what is not refined.
    */
-  vtkIndirectClampMacro(NumberOfRefinements, int, 0, 3);
+  vtkIndirectClampMacro(NumberOfRefinements, int, -1, 3);
+  ///@}
+
+  ///@{
+  /**
+   * Seconds that a still picture may take. With it a picture is refined once, of as many virtual
+   * lights as there is time for by the time of the first batches: 1024 or more, at most those of
+   * NumberOfRefinements. Off screen the seconds are those of the whole render, on a screen those
+   * after the first picture. The first picture is drawn in any case. Pictures depend on the
+   * machine's load then. Default 0: no limit, and the same picture on any machine. Range 0 to 1e6.
+   */
+  vtkIndirectClampMacro(TimeBudget, double, 0.0, 1.0e6);
   ///@}
 
   ///@{

@@ -82,7 +82,8 @@ struct vtkIndirectSettings
   double ErrorTolerance = 0.0;
   bool Caching = true;
   bool MapsFirst = false;
-  int NumberOfRefinements = 0;
+  int NumberOfRefinements = -1; // automatic
+  double TimeBudget = 0.0;
   bool IdleFrames = true;
   bool SpheresInMotion = true;
   bool RemainingGeometry = true;

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Windows on a screen, in VTK's own event loop. Xvfb is the screen, xdotool the hand."""
 
+import itertools
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import threading
@@ -15,6 +17,8 @@ from seen_window import INTERACTIVE
 PROGRAM = Path(__file__).resolve().parent / "seen_window.py"
 BATCHES = 32
 """Batches of a refinement of 2048 lights."""
+FRAMES = BATCHES + 7
+"""With those in which the finer picture takes the place of the one before."""
 BEFORE_DRAG = 5
 PATIENCE = 90.0
 """Seconds until an event loop counts as hung: 20 times what it takes on two cores."""
@@ -49,28 +53,53 @@ class OnScreen(unittest.TestCase):
             self.move("mousemove", x, 60, "sleep", 0.1)
         self.move("mouseup", 1)
 
-    def test_a_picture_is_refined_until_somebody_drags_and_after_that(self) -> None:
-        rows: list[tuple[float, int]] = []
+    def look(self, *settings: str, drags: bool = True) -> list[tuple[float, int, float]]:
+        """Return update rate, frames left and mean irradiance of each frame of a window."""
+        rows: list[tuple[float, int, float]] = []
         with subprocess.Popen(
-            [sys.executable, str(PROGRAM)], env=self.environment, stdout=subprocess.PIPE, text=True
+            [sys.executable, str(PROGRAM), *settings],
+            env=self.environment,
+            stdout=subprocess.PIPE,
+            text=True,
         ) as seen:
             patience = threading.Timer(PATIENCE, seen.kill)
             patience.start()
             for line in seen.stdout:
-                rate, left = line.split()
-                rows.append((float(rate), int(left)))
-                if len(rows) == BEFORE_DRAG:
+                rate, left, mean = line.split()
+                rows.append((float(rate), int(left), float(mean)))
+                if drags and len(rows) == BEFORE_DRAG:
                     self.drag()
+                elif not drags and rows[-1][1] == 0 and len(rows) > 1:
+                    seen.terminate()
             patience.cancel()
-        self.assertEqual(seen.returncode, 0, f"after {rows}")
-        moving = [i for i, (rate, _) in enumerate(rows) if rate >= INTERACTIVE]
+        self.assertIn(seen.returncode, (0, -signal.SIGTERM), f"after {rows}")
+        return rows
+
+    def test_a_picture_is_refined_until_somebody_drags_and_after_that(self) -> None:
+        rows = self.look("NumberOfRefinements=1")
+        moving = [i for i, (rate, *_) in enumerate(rows) if rate >= INTERACTIVE]
         self.assertGreaterEqual(len(moving), 3)
         self.assertEqual({rows[i][1] for i in moving}, {0})
-        before = [left for _, left in rows[: moving[0]]]
-        after = [left for _, left in rows[moving[-1] + 1 :]]
-        self.assertEqual(before, list(range(BATCHES, BATCHES - len(before), -1)))
-        self.assertLess(len(before), BATCHES)
-        self.assertEqual(after, list(range(BATCHES, -1, -1)))
+        before = [left for _, left, _ in rows[: moving[0]]]
+        after = [left for _, left, _ in rows[moving[-1] + 1 :]]
+        self.assertEqual(before, list(range(FRAMES, FRAMES - len(before), -1)))
+        self.assertLess(len(before), FRAMES)
+        self.assertEqual(after, list(range(FRAMES, -1, -1)))
+
+    def test_a_finer_picture_comes_without_a_jump(self) -> None:
+        rows = self.look("NumberOfRefinements=1", drags=False)
+        means = [mean for *_, mean in rows]
+        self.assertEqual(len(means), FRAMES + 1)
+        whole = abs(means[-1] - means[0])
+        self.assertGreater(whole, 1e-3 * means[0])
+        greatest = max(abs(b - a) for a, b in itertools.pairwise(means))
+        # A step is an eighth of the change; pixels are rounded to half floats, which have 11 bits.
+        self.assertLess(greatest, 0.125 * whole + 2.0**-11 * means[0])
+
+    def test_pictures_on_a_screen_are_refined_by_default(self) -> None:
+        lefts = [left for _, left, _ in self.look(drags=False)]
+        self.assertGreater(max(lefts), 4 * BATCHES)
+        self.assertEqual(lefts[-1], 0)
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Refinement of a still picture by more virtual lights, in batches."""
 
+import time
 import unittest
 
 import numpy as np
@@ -139,6 +140,27 @@ class Refinement(unittest.TestCase):
         left_out = vtkindirect.report(renderer)["left_out"]
         self.assertIn("refinement of the still picture", [entry["what"] for entry in left_out])
         self.assertEqual(counter(renderer, "batches_left"), 0)
+
+    def test_a_budget_of_seconds_decides_how_many_lights_there_are(self) -> None:
+        self.render_within(1.0)  # shaders are built
+        seconds, renderer = self.render_within(1e-3)
+        self.assertEqual(counter(renderer, "refinements"), 0)
+        first = irradiance(renderer)
+        budget = seconds + 2.5
+        seconds, renderer = self.render_within(budget)
+        self.assertEqual(counter(renderer, "refinements"), 1)
+        self.assertEqual(counter(renderer, "batches_left"), 0)
+        self.assertGreater(rms(irradiance(renderer), first), 1e-3)
+        # Half of the seconds more than asked for: other programs may run on the machine.
+        self.assertLess(seconds, 1.5 * budget)
+
+    def render_within(self, budget: float) -> tuple[float, vtkRenderer]:
+        """Return the seconds that a picture with a time budget took, and its renderer."""
+        renderer = self.add_room(-1, FILED, TimeBudget=budget)
+        began = time.monotonic()
+        self.render()
+        self.window.WaitForCompletion()
+        return time.monotonic() - began, renderer
 
     def add_interactor(self) -> tuple[vtkGenericRenderWindowInteractor, list[str]]:
         """Return an interactor of the window whose toolkit is this test, and the timers it made."""

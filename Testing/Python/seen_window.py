@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A window on the screen, in VTK's own event loop, until its picture is finished after a drag.
 
-Prints a row for each frame: the window's update rate, and the report's batches_left.
+Prints a row for each frame: the window's update rate, the report's batches_left, and the mean of the
+irradiance. Arguments: settings of the pass, as NAME=VALUE.
 """
+
+import sys
 
 import support  # noqa: F401
 import vtkmodules.vtkInteractionStyle  # noqa: F401
@@ -18,7 +21,8 @@ INTERACTIVE = 1.0
 
 def main() -> None:
     renderer = make_room(make_actor(make_ball()))
-    vtkindirect.enable(renderer, lighting="scene", NumberOfRefinements=1)
+    given = dict(argument.split("=") for argument in sys.argv[1:])
+    vtkindirect.enable(renderer, lighting="scene", **{k: float(v) for k, v in given.items()})
     window = vtkRenderWindow()
     window.SetSize(160, 120)
     window.AddRenderer(renderer)
@@ -30,12 +34,11 @@ def main() -> None:
     def end_frame(*_: object) -> None:
         left = vtkindirect.report(renderer)["counters"]["batches_left"]
         rates.append(window.GetDesiredUpdateRate())
-        print(rates[-1], left, flush=True)
+        print(rates[-1], left, vtkindirect.copy_buffer(renderer, "irradiance").mean(), flush=True)
         if left == 0 and rates[-1] < INTERACTIVE <= max(rates):
             interactor.TerminateApp()
 
     window.AddObserver("EndEvent", end_frame)
-    interactor.Initialize()
     window.Render()
     interactor.Start()
 

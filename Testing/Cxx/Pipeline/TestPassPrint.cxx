@@ -66,6 +66,7 @@ VTK_INDIRECT_TEST(PrintSettings)
   CHECK_PRINT(pass, Caching, false, "Off");
   CHECK_PRINT(pass, MapsFirst, true, "On");
   CHECK_PRINT(pass, NumberOfRefinements, 2, "2");
+  CHECK_PRINT(pass, TimeBudget, 2.5, "2.5");
   CHECK_PRINT(pass, IdleFrames, false, "Off");
   CHECK_PRINT(pass, SpheresInMotion, false, "Off");
   CHECK_PRINT(pass, RemainingGeometry, false, "Off");

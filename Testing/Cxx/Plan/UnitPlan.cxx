@@ -3,8 +3,10 @@
 #include "vtkIndirectTestUtilities.h"
 
 #include "vtkIndirectPlanScene.h"
+
 #include "vtkLightCollection.h"
 #include "vtkNew.h"
+#include <algorithm>
 
 #include <string>
 
@@ -268,6 +270,50 @@ VTK_INDIRECT_TEST(PlanVisibility)
   CheckEqual("where he wants maps", visibility(), vtkIndirectVisibilityMaps);
   estimator.TakesLightMaps = false;
   CheckEqual("which cannot be", visibility(), vtkIndirectVisibilityVoxels);
+}
+
+// Refinements of a still picture.
+VTK_INDIRECT_TEST(PlanRefinements)
+{
+  const vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  vtkIndirectSettings settings;
+  settings.Visibility = vtkIndirectVisibilityMaps;
+  vtkIndirectAbilities estimator;
+  estimator.Refines = estimator.TakesLightMaps = true;
+  vtkIndirectCircumstances circumstances;
+  const auto refinements = [&]
+  { return vtkIndirectPlan::Make(frame, settings, estimator, circumstances).Refinements; };
+  CheckEqual("of a window that nobody draws again", refinements(), 0);
+  circumstances.IdleFrames = true;
+  CheckEqual("of a window whose interactor draws again", refinements(), 2);
+  Check("a fade", vtkIndirectPlan::Make(frame, settings, estimator, circumstances).RefinementFades);
+  circumstances.UpdateRate = 15.0;
+  CheckEqual("in motion", refinements(), 0);
+  circumstances.UpdateRate = 0.0001;
+  settings.NumberOfRefinements = 0;
+  CheckEqual("where the user wants none", refinements(), 0);
+  settings.NumberOfRefinements = 1;
+  CheckEqual("where one is wanted", refinements(), 1);
+  settings.NumberOfRefinements = -1;
+  circumstances.OffScreen = true;
+  CheckEqual("off screen", refinements(), 0);
+  settings.TimeBudget = 4.0;
+  const vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, settings, estimator, circumstances);
+  CheckEqual("off screen with a budget: at most", plan.Refinements, 3);
+  CheckEqual("seconds", plan.RefinementSeconds, 4.0);
+  Check("no fade off screen", !plan.RefinementFades);
+  estimator.Refines = false;
+  CheckEqual("of an estimator that sums no batches", refinements(), 0);
+  const auto saysWhy = [&]
+  {
+    const auto entries = vtkIndirectPlan::Make(frame, settings, estimator, circumstances).LeftOut;
+    return std::any_of(entries.begin(), entries.end(),
+      [](const auto& entry) { return entry.first == "refinement of the still picture"; });
+  };
+  Check("the plan says why", saysWhy());
+  settings.TimeBudget = 0.0;
+  circumstances.OffScreen = false;
+  Check("but not where nobody asked", !saysWhy());
 }
 
 // Number of maps that a frame draws.

@@ -89,13 +89,25 @@ bool vtkIndirectAccumulation::Add(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectAccumulation::Show(const vtkIndirectFrame& frame, const Contributions& picture)
+void vtkIndirectAccumulation::Finish()
 {
+  this->Before.swap(this->Kept);
+  this->Kept.swap(this->Sums);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAccumulation::Show(
+  const vtkIndirectFrame& frame, const Contributions& picture, double share)
+{
+  const bool mixes = share < 1.0;
   bool shown = picture.size() == this->Kept.size();
   for (size_t i = 0; shown && i < picture.size(); ++i)
   {
     const vtkIndirectContribution& light = picture[i];
-    shown = this->Draw(frame, *this->Kept[i], 0, 1.0 / light.Unit, false, *light.Target);
+    shown =
+      (!mixes ||
+        this->Draw(frame, *this->Before[i], 0, (1.0 - share) / light.Unit, false, *light.Target)) &&
+      this->Draw(frame, *this->Kept[i], 0, share / light.Unit, mixes, *light.Target);
   }
   return shown;
 }

@@ -28,10 +28,11 @@ public:
   bool Keep(const vtkIndirectFrame& frame, const Contributions& picture);
   /** Adds the light of a batch; first: it is the first one. */
   bool Add(const vtkIndirectFrame& frame, const Contributions& batch, bool first);
-  /** Keeps the sum of all batches in place of the light before. */
-  void Finish() { this->Kept.swap(this->Sums); }
-  /** Writes the light that is kept into these images. */
-  bool Show(const vtkIndirectFrame& frame, const Contributions& picture);
+  /** Keeps the sum of all batches, and the light before for Show. */
+  void Finish();
+  /** Writes light into these images: this share of the light that is kept, else the light before.
+   */
+  bool Show(const vtkIndirectFrame& frame, const Contributions& picture, double share);
 
 private:
   using Images = std::vector<std::unique_ptr<vtkIndirectTarget>>; // of each contribution
@@ -40,6 +41,7 @@ private:
   bool Draw(const vtkIndirectFrame& frame, const vtkIndirectTarget& from, int channel, double scale,
     bool adds, vtkIndirectTarget& to);
 
+  Images Before;
   Images Kept;
   Images Sums;
   vtkIndirectFullScreenProgram Copy{ this, "vtkIndirectAccumulateFS.glsl" };

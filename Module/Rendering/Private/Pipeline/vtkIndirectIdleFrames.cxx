@@ -36,12 +36,19 @@ void vtkIndirectIdleFrames::Stop()
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectIdleFrames::CanFollow(vtkRenderWindow* window)
+{
+  vtkRenderWindowInteractor* const interactor = window->GetInteractor();
+  return interactor && interactor->GetInitialized();
+}
+
+//------------------------------------------------------------------------------
 // A timer of an earlier frame may have fired unnoticed, since an interactor style that is in motion
 // has all events to itself. This may be a callback of such a timer, so none is destroyed here: VTK
 // 9.1's X interactor steps from the entry of a timer in its list to the next one after the event.
 void vtkIndirectIdleFrames::EndFrame(vtkRenderWindow* window, long long left)
 {
-  const bool goesOn = left > 0 && (!this->IsOwn || left < this->Left);
+  const bool goesOn = left > 0 && (!this->IsOwn || left != this->Left);
   this->Left = left;
   vtkRenderWindowInteractor* const interactor = window->GetInteractor();
   if (interactor != this->Interactor)
@@ -49,9 +56,7 @@ void vtkIndirectIdleFrames::EndFrame(vtkRenderWindow* window, long long left)
     this->Stop();
   }
   // Interactors without timers return 0.
-  this->Timer = goesOn && interactor && interactor->GetInitialized()
-    ? interactor->CreateOneShotTimer(Pause)
-    : 0;
+  this->Timer = goesOn && CanFollow(window) ? interactor->CreateOneShotTimer(Pause) : 0;
   if (this->Timer == 0)
   {
     return;

@@ -21,10 +21,11 @@ public:
   vtkIndirectIdleFrames(const vtkIndirectIdleFrames&) = delete;
   void operator=(const vtkIndirectIdleFrames&) = delete;
 
+  /** Returns true if the window has an interactor that handles events. */
+  static bool CanFollow(vtkRenderWindow* window);
   /**
    * Ends a frame of a window. left: the work that further frames have. There is a next frame if a
-   * timer can be had, and, after a frame of the timer, if that frame has left less than the one
-   * before.
+   * timer can be had, and, after a frame of the timer, if that frame has done something.
    */
   void EndFrame(vtkRenderWindow* window, long long left);
   /** Lets timers that are still to fire draw nothing. */

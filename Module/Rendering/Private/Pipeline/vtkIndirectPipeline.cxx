@@ -30,6 +30,7 @@ vtkIndirectPipeline::vtkIndirectPipeline()
 //------------------------------------------------------------------------------
 void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& request)
 {
+  this->FrameBegan = vtkIndirectRefinementSchedule::ReadClock();
   this->Renderer = s->GetRenderer();
   this->BuffersAreThere = false;
   for (Part& part : this->Parts)
@@ -573,7 +574,7 @@ std::string vtkIndirectPipeline::CopyChannel(const std::string& name, vtkImageDa
 //------------------------------------------------------------------------------
 void vtkIndirectPipeline::ReleaseOwn(vtkWindow* window)
 {
-  this->RefinementIsRefused = false;
+  this->Schedule.Forgive();
   this->Capture->ReleaseGraphicsResources(window);
   this->Maps.Release(window);
   this->DepthMaps.Release(window);

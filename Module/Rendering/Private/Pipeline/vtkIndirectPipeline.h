@@ -4,26 +4,27 @@
 // hands it on as a const reference that is valid for this frame.
 #pragma once
 
-#include "Area/vtkIndirectAreaGather.h"        // for members
-#include "Area/vtkIndirectVisibleLamps.h"      // for members
-#include "Capture/vtkIndirectCatchers.h"       // for a member
-#include "Capture/vtkIndirectCoarseLevels.h"   // for a member
-#include "Capture/vtkIndirectCreases.h"        // for members
-#include "Capture/vtkIndirectGeometryBuffer.h" // for members
-#include "Capture/vtkSurfaceCapturePass.h"     // for members
-#include "Emitters/vtkIndirectSkyProjection.h" // for members
-#include "Maps/vtkIndirectDepthMaps.h"         // for members
-#include "Maps/vtkIndirectPenumbra.h"          // for members
-#include "Maps/vtkIndirectViewSamples.h"       // for a member
-#include "OpenGL/vtkIndirectKey.h"             // for keys
-#include "OpenGL/vtkIndirectResource.h"        // for the base class
-#include "Picture/vtkIndirectAccumulation.h"   // for a member
-#include "Picture/vtkIndirectAntialiasing.h"   // for members
-#include "Picture/vtkIndirectComposite.h"      // for members
-#include "Pipeline/vtkIndirectBounceLight.h"   // for a member
-#include "Pipeline/vtkIndirectFrameSamplers.h" // for members
-#include "Pipeline/vtkIndirectImageLight.h"    // for members
-#include "Pipeline/vtkIndirectSphereMotion.h"  // for a member
+#include "Area/vtkIndirectAreaGather.h"             // for members
+#include "Area/vtkIndirectVisibleLamps.h"           // for members
+#include "Capture/vtkIndirectCatchers.h"            // for a member
+#include "Capture/vtkIndirectCoarseLevels.h"        // for a member
+#include "Capture/vtkIndirectCreases.h"             // for members
+#include "Capture/vtkIndirectGeometryBuffer.h"      // for members
+#include "Capture/vtkSurfaceCapturePass.h"          // for members
+#include "Emitters/vtkIndirectSkyProjection.h"      // for members
+#include "Maps/vtkIndirectDepthMaps.h"              // for members
+#include "Maps/vtkIndirectPenumbra.h"               // for members
+#include "Maps/vtkIndirectViewSamples.h"            // for a member
+#include "OpenGL/vtkIndirectKey.h"                  // for keys
+#include "OpenGL/vtkIndirectResource.h"             // for the base class
+#include "Picture/vtkIndirectAccumulation.h"        // for a member
+#include "Picture/vtkIndirectAntialiasing.h"        // for members
+#include "Picture/vtkIndirectComposite.h"           // for members
+#include "Pipeline/vtkIndirectBounceLight.h"        // for a member
+#include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
+#include "Pipeline/vtkIndirectImageLight.h"         // for members
+#include "Pipeline/vtkIndirectRefinementSchedule.h" // for a member
+#include "Pipeline/vtkIndirectSphereMotion.h"       // for a member
 #include "Plan/vtkIndirectPlan.h"
 #include "Plan/vtkIndirectReport.h"          // for members
 #include "Plan/vtkIndirectStageTimer.h"      // for members
@@ -152,6 +153,7 @@ private:
   }
   void Refine(const vtkIndirectFrameLight::Input& input);
   bool AddBatch();
+  bool ShowRefinement();
   void ReleaseRefinement();
   void UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input);
   void SumPart(Part& part, const vtkIndirectFrameLight::Input& input, bool mapsDrawn);
@@ -181,9 +183,8 @@ private:
   vtkIndirectBounceLight FinerBounce{ this, FinerSamplers, DepthMaps,
     vtkIndirectDepthMaps::FURTHER_LIGHTS };
   vtkIndirectAccumulation Accumulation{ this };
-  int Refinement = 0;      // the number of the refinement that comes next, or is under way, from 0
-  int NumberOfBatches = 0; // that are summed of it
-  bool RefinementIsRefused = false; // by OpenGL, after an error
+  vtkIndirectRefinementSchedule Schedule;
+  double FrameBegan = 0.0; // on the schedule's clock
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };
   vtkNew<vtkProxyAccumulationPass> Spheres; // its sum replaces SkyMaps

@@ -10,28 +10,13 @@
 #include "Sums/vtkIndirectSum.h"
 #include "vtkOpenGLRenderWindow.h"
 
-#include <algorithm>
-
-namespace
-{
-constexpr int LightsOfPicture = 512; // about as many as a picture has at first
-constexpr int LightsOfBatch = 64;
-
-int CountLights(int refinement)
-{
-  return LightsOfPicture << (2 * (refinement + 1));
-}
-
-int CountBatches(int refinement)
-{
-  return CountLights(refinement) / LightsOfBatch;
-}
-}
-
 //------------------------------------------------------------------------------
 // Adds a batch to a picture that stands, or refines one that is to be finished at once.
 void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
 {
+  vtkIndirectRefinementSchedule& schedule = this->Schedule;
+  schedule.SetLimits(
+    { this->Plan.Refinements, this->Plan.RefinementSeconds, this->Plan.RefinementFades });
   bool isNew = false;
   bool stands = this->Plan.Refinements > 0;
   for (const Part& part : this->Parts)
@@ -42,16 +27,26 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
   }
   if (isNew || !stands)
   {
-    this->Refinement = this->NumberOfBatches = 0;
+    schedule.Restart(this->FrameBegan);
   }
-  bool adds = stands && (this->Plan.FinishesAtOnce || !isNew) && !this->RefinementIsRefused;
-  while (adds && this->Refinement < this->Plan.Refinements)
+  if (stands && (this->Plan.FinishesAtOnce || !isNew))
   {
-    this->RefinementIsRefused = !this->AddBatch();
-    adds = this->Plan.FinishesAtOnce && !this->RefinementIsRefused;
+    const bool fades = schedule.GetShare() < 1.0;
+    schedule.BeginFrame();
+    if (fades && !schedule.HasBatch())
+    {
+      this->ShowRefinement();
+    }
+    do
+    {
+      if (schedule.HasBatch() && !this->AddBatch())
+      {
+        schedule.Refuse();
+      }
+    } while (this->Plan.FinishesAtOnce && schedule.HasBatch());
   }
-  const bool ended = this->RefinementIsRefused || this->Refinement >= this->Plan.Refinements;
-  if (ended && !this->Plan.Interactive && this->Accumulation.GetBytes() > 0)
+  if (!this->Plan.Interactive && schedule.CountFramesLeft() == 0 &&
+    this->Accumulation.GetBytes() > 0)
   {
     this->ReleaseRefinement();
   }
@@ -75,9 +70,9 @@ bool vtkIndirectPipeline::AddBatch()
 {
   Part& part = this->Parts[0];
   vtkIndirectFrameLight::Input input = this->MakeInput(this->FinerBounce.GetVisibility());
-  input.Batch = { this->NumberOfBatches, CountBatches(this->Refinement) };
+  input.Batch = this->Schedule.GetBatch();
   vtkVirtualLightSampler* const sampler = this->FinerSamplers.Default;
-  sampler->SetNumberOfLights(CountLights(this->Refinement));
+  sampler->SetNumberOfLights(this->Schedule.GetNumberOfLights());
   this->FinerSamplers.Choose(this->Frame, this->Plan,
     vtkIndirectSum::Get(this->Estimator)
       .ChooseSampler(vtkIndirectSampler::Get(sampler), this->Plan));
@@ -94,20 +89,20 @@ bool vtkIndirectPipeline::AddBatch()
     this->Timer.End(vtkIndirectStageTimer::Visibility);
   }
   // The estimator sums the batch in the picture's images.
-  const vtkIndirectAccumulation::Contributions& picture = part.Result.Contributions;
-  const bool first = this->NumberOfBatches == 0;
-  done = done && (!first || this->Accumulation.Keep(this->Frame, picture));
+  const bool first = input.Batch.Number == 0;
+  if (first && this->Schedule.GetRefinements() == 0)
+  {
+    done = done && this->Accumulation.Keep(this->Frame, part.Result.Contributions);
+  }
   const vtkIndirectEstimate batch =
     done ? this->FinerBounce.MakeEstimate(input) : vtkIndirectEstimate();
   done = batch.State != vtkIndirectEstimate::FAILED &&
     this->Accumulation.Add(this->Frame, batch.Contributions, first);
-  if (done && ++this->NumberOfBatches == input.Batch.Count)
+  if (done && this->Schedule.EndBatch(vtkIndirectRefinementSchedule::ReadClock()))
   {
     this->Accumulation.Finish();
-    this->NumberOfBatches = 0;
-    ++this->Refinement;
   }
-  done = done && this->Accumulation.Show(this->Frame, picture);
+  done = done && this->ShowRefinement();
   part.IsThere = done;
   part.Time = part.Light->GetEstimateTime();
   if (!done)
@@ -118,14 +113,16 @@ bool vtkIndirectPipeline::AddBatch()
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectPipeline::ShowRefinement()
+{
+  return this->Accumulation.Show(
+    this->Frame, this->Parts[0].Result.Contributions, this->Schedule.GetShare());
+}
+
+//------------------------------------------------------------------------------
 long long vtkIndirectPipeline::CountBatchesLeft() const
 {
-  long long left = -this->NumberOfBatches;
-  for (int i = this->Refinement; i < this->Plan.Refinements; ++i)
-  {
-    left += CountBatches(i);
-  }
-  return this->BuffersAreThere && !this->RefinementIsRefused ? left : 0;
+  return this->BuffersAreThere ? this->Schedule.CountFramesLeft() : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -44,6 +44,7 @@ void vtkIndirectPipeline::AddSettings(vtkIndirectSettingList& list,
     .Add("Caching", settings.Caching)
     .Add("MapsFirst", plan ? plan->WaitsForMaps : settings.MapsFirst)
     .Add("NumberOfRefinements", plan ? plan->Refinements : settings.NumberOfRefinements)
+    .Add("TimeBudget", plan ? plan->RefinementSeconds : settings.TimeBudget)
     .Add("IdleFrames", settings.IdleFrames)
     .Add("SpheresInMotion", settings.SpheresInMotion)
     .Add("RemainingGeometry", settings.RemainingGeometry)
@@ -102,7 +103,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     { "tiles_drawn", static_cast<long long>(this->DepthMaps.GetNumberOfTilesDrawn()) },
     { "estimates", this->NumberOfEstimates } };
   report.Counters["tiles_left"] = this->CountTilesLeft();
-  report.Counters["refinements"] = this->Refinement;
+  report.Counters["refinements"] = this->Schedule.GetRefinements();
   report.Counters["batches_left"] = this->CountBatchesLeft();
   report.Add({}, this->Frame.DescribeLeftOut());
   if (!this->BuffersAreThere)

@@ -65,7 +65,7 @@ struct vtkIndirectEstimateInput
   vtkIndirectSkyProjection* Projection = nullptr; // of the environment onto directions
   const std::vector<vtkSmartPointer<vtkAreaLight>>* AreaLights = nullptr;
   bool EyeMoved = false;       // nothing else has changed since the estimator's last frame
-  vtkIndirectLightBatch Batch; // the lights to sum
+  vtkIndirectLightBatch Batch{}; // the lights to sum
 };
 
 /** This is an image of light that the composite adds to VTK's shading. */

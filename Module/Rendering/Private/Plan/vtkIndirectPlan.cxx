@@ -15,6 +15,9 @@ constexpr int MostMapTexels = 2048;
 constexpr int SmallPicture = 384;
 // VTK's own DesiredUpdateRate of windows that nobody has set is 0.0001.
 constexpr double RateOfNobody = 0.001;
+// The guide has times and errors of refinements: "A picture left alone".
+constexpr int RefinementsOnScreen = 2;
+constexpr int MostRefinements = 3;
 // RMS error over the mean of the sky's light under spheres: 0.041 to 0.056 on scenes of spheres
 // (Documentation/methods/sphere-proxies.md).
 constexpr double ErrorOfSpheres = 0.05;
@@ -134,17 +137,23 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
       plan.Antialiasing          ? "by their shapes: what the pass draws has no samples to average"
         : !settings.Antialiasing ? "Antialiasing is off"
                                  : other + " antialiases the picture");
-  plan.FindRefinements(settings, estimator);
+  plan.FindRefinements(settings, estimator, circumstances);
   plan.ReportTolerances(estimator);
   plan.LeaveOut(settings, estimator, circumstances);
   return plan;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPlan::FindRefinements(
-  const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator)
+void vtkIndirectPlan::FindRefinements(const vtkIndirectSettings& settings,
+  const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
 {
-  if (settings.NumberOfRefinements == 0 || this->Interactive)
+  const bool automatic = settings.NumberOfRefinements < 0;
+  const bool seen = !circumstances.OffScreen;
+  const int asked = !automatic         ? settings.NumberOfRefinements
+    : settings.TimeBudget > 0.0        ? MostRefinements
+    : seen && circumstances.IdleFrames ? RefinementsOnScreen
+                                       : 0;
+  if (asked == 0 || this->Interactive)
   {
     return;
   }
@@ -155,8 +164,10 @@ void vtkIndirectPlan::FindRefinements(
     : this->OtherSamplers                           ? "passes add lights of their own samplers"
     : this->Visibility != vtkIndirectVisibilityMaps ? "virtual lights have no depth maps"
                                                     : "";
-  this->Refinements = why.empty() ? settings.NumberOfRefinements : 0;
-  if (!why.empty())
+  this->Refinements = why.empty() ? asked : 0;
+  this->RefinementSeconds = why.empty() ? settings.TimeBudget : 0.0;
+  this->RefinementFades = seen;
+  if (!why.empty() && (!automatic || settings.TimeBudget > 0.0))
   {
     this->LeftOut.emplace_back("refinement of the still picture", why);
   }

@@ -91,6 +91,8 @@ struct vtkIndirectCircumstances
   double UpdateRate = 0.0001;
   /** The window shows nothing on a screen: nobody sees how its pictures are completed. */
   bool OffScreen = false;
+  /** The window's interactor draws further frames of a still picture. */
+  bool IdleFrames = false;
 };
 
 struct vtkIndirectPlan
@@ -180,9 +182,11 @@ struct vtkIndirectPlan
   static bool IsInteractive(double updateRate) { return updateRate >= 1.0; }
   bool Interactive = false;
   ///@}
-  int Refinements = 0;         // of a still picture, see vtkIndirectIlluminationPass
-  bool FinishesAtOnce = false; // a picture that goes to a file is whole
-  bool WaitsForMaps = false;   // sums begin when no depth map is missing
+  int Refinements = 0;            // of a still picture, see vtkIndirectIlluminationPass
+  double RefinementSeconds = 0.0; // 0: no limit
+  bool RefinementFades = false;   // frames show how a finer picture takes the place of one
+  bool FinishesAtOnce = false;    // a picture that goes to a file is whole
+  bool WaitsForMaps = false;      // sums begin when no depth map is missing
   int TilesPerFrame = 1 << 30; // largest number of depth maps of virtual lights and of the sky to
                                // draw
   int NumberOfBounces = 1;     // bounces that the estimator computes
@@ -274,7 +278,8 @@ private:
   void FindBounces(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void ReportTolerances(const vtkIndirectAbilities& estimator);
-  void FindRefinements(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);
+  void FindRefinements(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
+    const vtkIndirectCircumstances& circumstances);
   void FindTolerances(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);

@@ -70,7 +70,7 @@ public:
     double ErrorTolerance = 0.02;              // of the irradiance, over its mean
     int NumberOfBounces = 1;     // wanted number, for samplers that find several bounces
     bool Interactive = false;    // the window's rate is a frame a second or more
-    vtkIndirectLightBatch Batch; // the tables hold these lights alone
+    vtkIndirectLightBatch Batch{}; // the tables hold these lights alone
     /** The sky and area lights, which light surfaces besides the frame's lights. */
     const std::vector<vtkIndirectLight>* Emitters = nullptr;
     /** The frame's lights are among the emitters, whose light changes from frame to frame. */
@@ -211,7 +211,7 @@ private:
   std::unique_ptr<vtkIndirectTarget> Lobes;
   vtkTimeStamp ContentTime;
   int NumberOfLights = 0;
-  vtkIndirectLightBatch Batch; // in the tables
+  vtkIndirectLightBatch Batch{}; // in the tables
   // All lights, where the tables hold a batch of them.
   std::vector<Row> Rows;
   std::vector<Row> BranchRows;

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The order in which a still picture is refined: how many virtual lights each refinement has, which
+// batch of lights comes next, how much of the finer picture is shown, and when the work ends.
+#pragma once
+
+#include "Plan/vtkIndirectEstimate.h" // for a batch
+
+class vtkIndirectRefinementSchedule
+{
+public:
+  static constexpr int LightsOfPicture = 512; // about as many as a picture has at first
+  static constexpr int LightsOfBatch = 64;
+  static constexpr int StepsOfFade = 8; // frames in which a finer picture takes the place of one
+
+  struct LimitType
+  {
+    int Refinements = 0;  // each has four times the lights of the one before
+    double Seconds = 0.0; // 0: none; else one refinement has as many lights as there is time for
+    bool Fades = false;   // somebody sees each frame
+  };
+
+  /** Seconds of a clock that nobody sets. */
+  static double ReadClock();
+  /** Limits of this frame. */
+  void SetLimits(const LimitType& limits) { this->Limits = limits; }
+  /** A picture has come. now, here and below: ReadClock, or a time of a test. */
+  void Restart(double now);
+  /** No more batches until the next restart. */
+  void Refuse() { this->IsRefused = true; }
+  /** A restart may refine again after a refusal. */
+  void Forgive() { this->IsRefused = false; }
+
+  /** Begins a frame that adds something. */
+  void BeginFrame();
+  bool HasBatch() const;
+  /** The lights of the refinement under way, and the batch of them that comes next. */
+  int GetNumberOfLights() const;
+  vtkIndirectLightBatch GetBatch() const;
+  /** Ends a batch; true: all batches of the refinement are there. */
+  bool EndBatch(double now);
+
+  /** Refinements that are there. */
+  int GetRefinements() const { return this->Refinement; }
+  /** The share, up to 1, of the finer picture in what is shown. */
+  double GetShare() const;
+  /** Frames, one for each batch or step of a fade, until nothing changes any more. */
+  long long CountFramesLeft() const;
+
+private:
+  void Measure(double now);
+
+  LimitType Limits;
+  int Refinement = 0; // the one that is under way, or comes next
+  int Batches = 0;    // that are summed of the refinement
+  int Lights = 0;     // of the refinement within Limits.Seconds
+  int Fade = StepsOfFade;
+  bool IsMeasured = false;
+  bool IsOutOfTime = false;
+  bool IsRefused = false;
+  double Began = 0.0;
+  double LastEnd = 0.0; // of a batch
+};
