@@ -40,6 +40,8 @@ from reference_environment import Denoiser, Flip, Traced
 
 YARDSTICKS = (compare.NOTHING, compare.SSAO)
 TRACER = "mitsuba"
+WHOLE = "convergence"
+"""The sweep whose plots have the time until a still picture is there."""
 DENOISED = "denoised"
 """Word in the label of a path tracer's row whose image is denoised."""
 CURVES = {"one_bounce": "one bounce", "all_bounces": "all bounces"}
@@ -479,7 +481,7 @@ def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
             if worker is not None:
                 worker.close()
     written = compare.write(results, directory)
-    compare.say(results, [*written, *page.write(results, directory)])
+    compare.say(results, [*written, *page.write(results, directory, what.name == WHOLE)])
 
 
 if __name__ == "__main__":

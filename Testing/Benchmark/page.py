@@ -307,12 +307,15 @@ def _html(results: Sequence[Result], plots: dict[str, str]) -> str:
     return "\n".join(parts) + "\n</html>\n"
 
 
-def write(results: Sequence[Result], directory: Path) -> list[Path]:
-    """Write index.md and index.html with their plots; returns the paths."""
+def write(results: Sequence[Result], directory: Path, whole: bool = False) -> list[Path]:
+    """Write index.md and index.html with their plots; returns the paths.
+
+    whole: plots have the time until a still picture is there, in place of that of a frame.
+    """
     plots = {
         scene: f"{scene}.png"
         for scene, rows in _scenes(results).items()
-        if plot.draw(rows, directory / f"{scene}.png")
+        if plot.draw(rows, directory / f"{scene}.png", whole)
     }
     written = [directory / "index.md", directory / "index.html"]
     images.write_text(written[0], _markdown(results, plots))

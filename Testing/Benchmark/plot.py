@@ -66,11 +66,15 @@ def name_of(row: Result) -> tuple[str, str]:
     return words[0], " ".join(word.rpartition("=")[2] for word in words[1:])
 
 
-def series(rows: Sequence[Result], reference: str) -> list[Series]:
-    """The series of a panel, in the order of the rows, each by rising time."""
+def series(rows: Sequence[Result], reference: str, whole: bool = False) -> list[Series]:
+    """The series of a panel, in the order of the rows, each by rising time.
+
+    whole: the time until a still picture is there, in place of that of a frame's indirect light.
+    """
     found: dict[str, Series] = {}
     for row in rows:
         error, time = row.get(f"relmse_{reference}"), row.get("indirect_ms")
+        time = (row.get("first_ms") or time) if whole else time
         if error is None or not time:
             continue
         name, point = name_of(row)
@@ -239,10 +243,13 @@ def looks(number: int) -> list[tuple[str, str]]:
     ]
 
 
-def draw(rows: Sequence[Result], path: Path) -> bool:
-    """Write the plot of one scene's rows; False when no row has an error and a time."""
+def draw(rows: Sequence[Result], path: Path, whole: bool = False) -> bool:
+    """Write the plot of one scene's rows; False when no row has an error and a time.
+
+    whole: as for `series`.
+    """
     pyplot = require_plots()
-    panels = {name: series(rows, name) for name in PANELS}
+    panels = {name: series(rows, name, whole) for name in PANELS}
     panels = {name: found for name, found in panels.items() if found}
     if not panels:
         return False
@@ -275,7 +282,9 @@ def draw(rows: Sequence[Result], path: Path) -> bool:
         _limits(axis, found, rows, reference)
         _lines(axis, rows, reference)
         axis.set_title(PANELS[reference], fontsize=9)
-        axis.set_xlabel("time of the indirect light, ms")
+        axis.set_xlabel(
+            "time until the picture is there, ms" if whole else "time of the indirect light, ms"
+        )
         axis.set_ylabel(f"relMSE to {reference.upper()}")
         _ticks(axis)
         axis.grid(True, which="major", alpha=0.35)

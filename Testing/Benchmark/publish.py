@@ -33,7 +33,7 @@ PICTURES = "It also writes difference images of every row (build/report)."
 ALL = """
 Further pages: [light from the sky](speed-vs-error/sky.md), [the same by spheres](speed-vs-error/spheres.md), [area
 lights by their number](speed-vs-error/area.md), [lights of a tree](speed-vs-error/light-tree.md), [radiance hints and
-their paper](speed-vs-error/hints.md), [multiresolution splatting and hints against the gather, SSAO and their
+their paper](speed-vs-error/hints.md), [pictures left alone beside the path tracer](speed-vs-error/convergence.md), [multiresolution splatting and hints against the gather, SSAO and their
 papers](speed-vs-error/benchmarks.md).
 
 ## Rows
@@ -60,6 +60,12 @@ closed, pale rooms.
 HINTS = """
 The version of the paper (`Preset` `paper`) and the defaults (`all`), by bounces, by the six grids and numbers of samples of the paper's Table 2, and with
 single properties changed; nothing is reused between frames. See [radiance hints](../methods/radiance-hints.md).
+"""
+
+CONVERGENCE = """
+A picture that is [left alone](../guide.md#a-picture-left-alone): the first one, and its refinements of 2048 and of 8192
+virtual lights, beside the path tracer, raw and denoised. Times are those until the picture is there, from the first frame
+of a new window, shaders and maps included; those of the path tracer leave out its start and the building of its scene.
 """
 
 SKY = """
@@ -106,6 +112,13 @@ PAGES = {
         "speed-vs-error/hints-",
         "hints-",
         HINTS,
+    ),
+    "convergence": Page(
+        "speed-vs-error/convergence.md",
+        "Speed against error: pictures left alone",
+        "speed-vs-error/convergence-",
+        "convergence-",
+        CONVERGENCE,
     ),
     "sky": Page(
         "speed-vs-error/sky.md",

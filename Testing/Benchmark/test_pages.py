@@ -17,7 +17,13 @@ import publish
 
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-SWEEPS = {"all": "all.json", "hints": "hints.json", "sky": "sky.json", "spheres": "spheres.json"}
+SWEEPS = {
+    "all": "all.json",
+    "convergence": "convergence.json",
+    "hints": "hints.json",
+    "sky": "sky.json",
+    "spheres": "spheres.json",
+}
 
 
 def rows_of(name: str) -> list[dict]:

@@ -143,7 +143,7 @@ class Quick(unittest.TestCase):
     def publish(self, reports: Path, target: Path) -> subprocess.CompletedProcess[str]:
         return subprocess.run(
             [sys.executable, "-B", str(HERE / "publish.py"), str(reports), str(target),
-             "all", "hints", "sky", "spheres", "benchmarks"],
+             "all", "convergence", "hints", "sky", "spheres", "benchmarks"],
             capture_output=True,
             text=True,
             check=False,
@@ -154,13 +154,14 @@ class Quick(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="vtkindirect-") as name:
             reports, target = Path(name) / "reports", Path(name) / "documentation"
             target.mkdir()
-            for comparison in ("all", "hints", "sky", "spheres"):
+            for comparison in ("all", "convergence", "hints", "sky", "spheres"):
                 shutil.copytree(self.report, reports / comparison)
             (reports / "order.md").write_text("| what a benchmark printed |\n", encoding="utf-8")
             done = self.publish(reports, target)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             for page, prefix in (
                 ("speed-vs-error.md", "speed-vs-error/"),
+                ("speed-vs-error/convergence.md", "convergence-"),
                 ("speed-vs-error/hints.md", "hints-"),
                 ("speed-vs-error/sky.md", "sky-"),
                 ("speed-vs-error/spheres.md", "spheres-"),

@@ -27,7 +27,7 @@ class Report(unittest.TestCase):
         for words in (("--only",), ("--only", "nothing"), ("--quick", "--only", "nothing")):
             done = report(*words)
             self.assertEqual(done.returncode, 2, words)
-            self.assertIn("--only takes all, sky, spheres, area, hints or benchmarks", done.stderr)
+            self.assertIn("--only takes all, sky, spheres, area, hints, convergence or benchmarks", done.stderr)
 
 
 class Published(unittest.TestCase):
