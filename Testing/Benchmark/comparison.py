@@ -41,7 +41,7 @@ from reference_environment import Denoiser, Flip, Traced
 YARDSTICKS = (compare.NOTHING, compare.SSAO)
 TRACER = "mitsuba"
 WHOLE = "convergence"
-"""The sweep whose plots have the time until a still picture is there."""
+"""The sweep file whose plots have the time until a still picture is there."""
 DENOISED = "denoised"
 """Word in the label of a path tracer's row whose image is denoised."""
 CURVES = {"one_bounce": "one bounce", "all_bounces": "all bounces"}
@@ -481,7 +481,7 @@ def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
             if worker is not None:
                 worker.close()
     written = compare.write(results, directory)
-    compare.say(results, [*written, *page.write(results, directory, what.name == WHOLE)])
+    compare.say(results, [*written, *page.write(results, directory, Path(arguments.sweep or "").stem == WHOLE)])
 
 
 if __name__ == "__main__":

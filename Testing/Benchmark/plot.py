@@ -37,6 +37,10 @@ _COLORS = (
 _MARKERS = "osD^vP*Xph"
 
 
+WHOLE = "r3"
+"""The reference of plots that have the time until a still picture is there."""
+
+
 @dataclass
 class Series:
     """The points of one method: time, error and what tells it from the others."""
@@ -249,7 +253,7 @@ def draw(rows: Sequence[Result], path: Path, whole: bool = False) -> bool:
     whole: as for `series`.
     """
     pyplot = require_plots()
-    panels = {name: series(rows, name, whole) for name in PANELS}
+    panels = {name: series(rows, name, whole) for name in (PANELS if not whole else [WHOLE])}
     panels = {name: found for name, found in panels.items() if found}
     if not panels:
         return False

@@ -154,6 +154,24 @@ class Refinement(unittest.TestCase):
         # Half of the seconds more than asked for: other programs may run on the machine.
         self.assertLess(seconds, 1.5 * budget)
 
+    def test_the_estimated_error_is_near_the_error(self) -> None:
+        renderer = self.add_room(1, FILED)
+        self.render()
+        coarse, estimated = irradiance(renderer), vtkindirect.report(renderer)["estimated_error"]
+        renderer = self.add_room(3, FILED)
+        self.render()
+        found = rms(coarse, irradiance(renderer))
+        # The bounds of the guide's table, with the error of the finest picture left out.
+        self.assertLess(estimated / found, 2.0)
+        self.assertGreater(estimated / found, 0.5)
+
+    def test_refinement_ends_at_the_tolerance(self) -> None:
+        renderer = self.add_room(3, FILED, ErrorTolerance=0.5)
+        self.render()
+        self.assertEqual(counter(renderer, "refinements"), 1)
+        self.assertEqual(counter(renderer, "batches_left"), 0)
+        self.assertLess(vtkindirect.report(renderer)["estimated_error"], 0.5)
+
     def render_within(self, budget: float) -> tuple[float, vtkRenderer]:
         """Return the seconds that a picture with a time budget took, and its renderer."""
         renderer = self.add_room(-1, FILED, TimeBudget=budget)

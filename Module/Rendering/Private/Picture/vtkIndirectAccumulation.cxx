@@ -8,6 +8,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <cmath>
+
 namespace
 {
 const vtkIndirectChannels SumChannels = {
@@ -93,6 +95,30 @@ void vtkIndirectAccumulation::Finish()
 {
   this->Before.swap(this->Kept);
   this->Kept.swap(this->Sums);
+}
+
+//------------------------------------------------------------------------------
+// The first contribution is irradiance; pixels without light in both pictures do not count.
+double vtkIndirectAccumulation::FindChange() const
+{
+  const std::vector<float> before = this->Before[0]->ReadBack(0);
+  const std::vector<float> kept = this->Kept[0]->ReadBack(0);
+  double sum = 0.0;
+  double squares = 0.0;
+  long long count = 0;
+  for (size_t i = 0; i + 3 < kept.size(); i += 4)
+  {
+    bool isLit = false;
+    for (size_t c = i; c < i + 3; ++c)
+    {
+      const double change = static_cast<double>(kept[c]) - before[c];
+      sum += kept[c];
+      squares += change * change;
+      isLit = isLit || kept[c] != 0.0f || before[c] != 0.0f;
+    }
+    count += isLit ? 3 : 0;
+  }
+  return sum > 0.0 ? std::sqrt(squares * static_cast<double>(count)) / sum : 0.0;
 }
 
 //------------------------------------------------------------------------------

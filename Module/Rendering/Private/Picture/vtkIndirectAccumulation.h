@@ -30,6 +30,11 @@ public:
   bool Add(const vtkIndirectFrame& frame, const Contributions& batch, bool first);
   /** Keeps the sum of all batches, and the light before for Show. */
   void Finish();
+  /**
+   * Returns the RMS difference of the light that is kept from the light before, over the mean, after
+   * Finish.
+   */
+  double FindChange() const;
   /** Writes light into these images: this share of the light that is kept, else the light before.
    */
   bool Show(const vtkIndirectFrame& frame, const Contributions& picture, double share);

@@ -26,7 +26,7 @@ void vtkIndirectRefinementSchedule::Restart(double now)
   this->Refinement = this->Batches = 0;
   this->Lights = 4 * LightsOfPicture;
   this->Fade = StepsOfFade;
-  this->IsMeasured = this->IsOutOfTime = false;
+  this->IsMeasured = this->HasEnded = false;
   this->Began = this->LastEnd = now;
 }
 
@@ -41,7 +41,7 @@ bool vtkIndirectRefinementSchedule::HasBatch() const
 {
   const int most =
     this->Limits.Seconds > 0.0 ? std::min(this->Limits.Refinements, 1) : this->Limits.Refinements;
-  return this->Refinement < most && !this->IsRefused && !this->IsOutOfTime;
+  return this->Refinement < most && !this->IsRefused && !this->HasEnded;
 }
 
 //------------------------------------------------------------------------------
@@ -93,7 +93,7 @@ void vtkIndirectRefinementSchedule::Measure(double now)
   }
   else
   {
-    this->IsOutOfTime = !goesOn;
+    this->HasEnded = !goesOn;
   }
 }
 

@@ -25,9 +25,10 @@ public:
   void SetLimits(const LimitType& limits) { this->Limits = limits; }
   /** A picture has come. now, here and below: ReadClock, or a time of a test. */
   void Restart(double now);
-  /** No more batches until the next restart. */
+  /** The picture is good enough, or there is no time: no more batches until the next restart. */
+  void End() { this->HasEnded = true; }
+  /** No more batches until Forgive, after an error. */
   void Refuse() { this->IsRefused = true; }
-  /** A restart may refine again after a refusal. */
   void Forgive() { this->IsRefused = false; }
 
   /** Begins a frame that adds something. */
@@ -55,7 +56,7 @@ private:
   int Lights = 0;     // of the refinement within Limits.Seconds
   int Fade = StepsOfFade;
   bool IsMeasured = false;
-  bool IsOutOfTime = false;
+  bool HasEnded = false;
   bool IsRefused = false;
   double Began = 0.0;
   double LastEnd = 0.0; // of a batch
