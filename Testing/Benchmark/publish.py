@@ -464,13 +464,13 @@ def beside_the_tracer(results: list[dict[str, Any]]) -> str:
         if sooner is not None and sooner[1] < error:
             behind.append(f"{row['scene']} {name}")
     said = (
-        "Numbers of pictures are numbers of refinements. The denoised path tracer is nearer to the "
-        f"truth no later in: {', '.join(behind)}. Each light stands for a cluster of senders, which "
-        "hides from a receiver as a whole: near many small surfaces the error falls with the number "
-        "of clusters alone, where a path tracer's noise is averaged between pixels that see the same."
+        "Numbers of pictures are numbers of refinements. In no more time, the denoised path tracer is "
+        f"nearer to the truth in: {', '.join(behind)}. Each light stands for a cluster of senders, "
+        "which is seen or hidden as a whole: near many small surfaces the error falls with the number "
+        "of clusters alone, where a denoiser averages a path tracer's noise."
         if behind
         else "Numbers of pictures are numbers of refinements. The denoised path tracer is nearer to "
-        "the truth in none of the scenes at any of these times."
+        "the truth in none of these scenes in the time of a picture."
     )
     return said + "\n\n" + "\n".join(lines)
 

@@ -28,7 +28,7 @@ struct Run
   Schedule Do(const Schedule::LimitType& limits)
   {
     Schedule schedule;
-    schedule.SetLimits(limits);
+    schedule.SetLimits(limits, 0.0);
     schedule.Restart(0.0);
     this->Now = this->Picture;
     this->Batches = this->Lights = 0;
@@ -95,11 +95,30 @@ VTK_INDIRECT_TEST(RefinementWithinSeconds)
   }
 }
 
+// Batches of one number of lights are not added to those of another.
+VTK_INDIRECT_TEST(RefinementWithOtherSeconds)
+{
+  Schedule schedule;
+  schedule.SetLimits({ 2, 0.0, false }, 0.0);
+  schedule.Restart(0.0);
+  for (int i = 0; i < 132; ++i)
+  {
+    schedule.EndBatch(0.01 * i);
+  }
+  CheckEqual("batches of 8192 lights", schedule.GetBatch().Number, 100);
+  schedule.SetLimits({ 2, 100.0, false }, 5.0);
+  CheckEqual("batches within seconds", schedule.GetBatch().Number, 0);
+  CheckEqual("lights", schedule.GetNumberOfLights(), 2048);
+  schedule.EndBatch(5.5);
+  schedule.SetLimits({ 2, 100.0, false }, 6.0);
+  CheckEqual("batches with the same seconds", schedule.GetBatch().Number, 1);
+}
+
 // On a screen, eight frames bring a finer picture; the next batches come meanwhile.
 VTK_INDIRECT_TEST(RefinementsFade)
 {
   Schedule schedule;
-  schedule.SetLimits({ 2, 0.0, true });
+  schedule.SetLimits({ 2, 0.0, true }, 0.0);
   schedule.Restart(0.0);
   std::vector<double> shares;
   long long left = schedule.CountFramesLeft();

@@ -31,12 +31,11 @@ public:
   /** Keeps the sum of all batches, and the light before for Show. */
   void Finish();
   /**
-   * Returns the RMS difference of the light that is kept from the light before, over the mean, after
-   * Finish.
+   * Returns the RMS difference of the light that is kept from the light before, over the mean,
+   * after Finish.
    */
   double FindChange() const;
-  /** Writes light into these images: this share of the light that is kept, else the light before.
-   */
+  /** Writes this share of the light that is kept, and the rest of the light before, into images. */
   bool Show(const vtkIndirectFrame& frame, const Contributions& picture, double share);
 
 private:

@@ -12,9 +12,9 @@
 
 namespace
 {
-// Error of a refined picture over its change from the picture before it, which has half as many or
-// fewer lights of a quarter of the texels if it is the first one: measured (Documentation/guide.md,
-// "A picture left alone").
+// These are the errors of refined pictures over their changes from the pictures before them, as the
+// guide has them ("A picture left alone"). The first picture has fewer lights, of a quarter of the
+// texels: most of the first change is its own error.
 constexpr double ErrorOverFirstChange = 0.5;
 constexpr double ErrorOverChange = 1.0;
 }
@@ -25,7 +25,8 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
 {
   vtkIndirectRefinementSchedule& schedule = this->Schedule;
   schedule.SetLimits(
-    { this->Plan.Refinements, this->Plan.RefinementSeconds, this->Plan.RefinementFades });
+    { this->Plan.Refinements, this->Plan.RefinementSeconds, this->Plan.RefinementFades },
+    this->FrameBegan);
   bool isNew = false;
   bool stands = this->Plan.Refinements > 0;
   for (const Part& part : this->Parts)

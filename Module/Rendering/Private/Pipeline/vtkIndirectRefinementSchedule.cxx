@@ -21,6 +21,18 @@ double vtkIndirectRefinementSchedule::ReadClock()
 }
 
 //------------------------------------------------------------------------------
+// Batches that are there are of another number of lights when the seconds change.
+void vtkIndirectRefinementSchedule::SetLimits(const LimitType& limits, double now)
+{
+  const bool differ = limits.Seconds != this->Limits.Seconds;
+  this->Limits = limits;
+  if (differ)
+  {
+    this->Restart(now);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkIndirectRefinementSchedule::Restart(double now)
 {
   this->Refinement = this->Batches = 0;

@@ -21,9 +21,12 @@ public:
 
   /** Seconds of a clock that nobody sets. */
   static double ReadClock();
-  /** Limits of this frame. */
-  void SetLimits(const LimitType& limits) { this->Limits = limits; }
-  /** A picture has come. now, here and below: ReadClock, or a time of a test. */
+  /**
+   * Limits of this frame; other seconds restart. now, here and below: ReadClock, or a time of a
+   * test.
+   */
+  void SetLimits(const LimitType& limits, double now);
+  /** A picture has come. */
   void Restart(double now);
   /** The picture is good enough, or there is no time: no more batches until the next restart. */
   void End() { this->HasEnded = true; }
