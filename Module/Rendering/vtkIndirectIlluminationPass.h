@@ -328,8 +328,8 @@ public:
   /**
    * Seconds that a still picture may take. With it a picture is refined once, of as many virtual
    * lights as there is time for by the time of the first batches: 1024 or more, at most those of
-   * NumberOfRefinements. Off screen the seconds are those of the whole render, on a screen those
-   * after the first picture. The first picture is drawn in any case. Pictures depend on the
+   * NumberOfRefinements. The seconds begin with the render that completes the first picture,
+   * which is drawn in any case. Pictures depend on the
    * machine's load then. Default 0: no limit, and the same picture on any machine. Range 0 to 1e6.
    */
   vtkIndirectClampMacro(TimeBudget, double, 0.0, 1.0e6);

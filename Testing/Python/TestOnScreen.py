@@ -78,7 +78,7 @@ class OnScreen(unittest.TestCase):
     def test_a_picture_is_refined_until_somebody_drags_and_after_that(self) -> None:
         rows = self.look("NumberOfRefinements=1")
         moving = [i for i, (rate, *_) in enumerate(rows) if rate >= INTERACTIVE]
-        self.assertGreaterEqual(len(moving), 3)
+        self.assertTrue(moving, rows)
         self.assertEqual({rows[i][1] for i in moving}, {0})
         before = [left for _, left, _ in rows[: moving[0]]]
         after = [left for _, left, _ in rows[moving[-1] + 1 :]]

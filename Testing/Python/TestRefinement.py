@@ -145,6 +145,7 @@ class Refinement(unittest.TestCase):
         self.render_within(1.0)  # shaders are built
         seconds, renderer = self.render_within(1e-3)
         self.assertEqual(counter(renderer, "refinements"), 0)
+        self.assertIsNone(vtkindirect.report(renderer)["estimated_error"])
         first = irradiance(renderer)
         budget = seconds + 2.5
         seconds, renderer = self.render_within(budget)
@@ -153,6 +154,21 @@ class Refinement(unittest.TestCase):
         self.assertGreater(rms(irradiance(renderer), first), 1e-3)
         # Half of the seconds more than asked for: other programs may run on the machine.
         self.assertLess(seconds, 1.5 * budget)
+
+    def test_a_finished_picture_is_refined_further(self) -> None:
+        renderer = self.add_room(1)
+        self.finish(renderer)
+        shown = irradiance(renderer)
+        renderer.GetPass().SetNumberOfRefinements(2)
+        self.render()
+        self.assertEqual(counter(renderer, "batches_left"), 4 * BATCHES - 1)
+        np.testing.assert_allclose(irradiance(renderer), shown, rtol=2e-3, atol=1e-6)
+        # With a time budget there is one refinement, and it is there.
+        renderer.GetPass().SetTimeBudget(100)
+        self.render()
+        self.assertEqual(counter(renderer, "refinements"), 1)
+        self.assertEqual(counter(renderer, "batches_left"), 0)
+        np.testing.assert_allclose(irradiance(renderer), shown, rtol=2e-3, atol=1e-6)
 
     def test_the_estimated_error_is_near_the_error(self) -> None:
         renderer = self.add_room(1, FILED)

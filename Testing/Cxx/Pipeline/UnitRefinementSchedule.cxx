@@ -32,6 +32,7 @@ struct Run
     schedule.Restart(0.0);
     this->Now = this->Picture;
     this->Batches = this->Lights = 0;
+    schedule.BeginFrame(this->Now);
     while (schedule.HasBatch())
     {
       this->Now += this->Batches == 0 ? this->First : this->Batch;
@@ -71,7 +72,8 @@ VTK_INDIRECT_TEST(RefinementWithinSeconds)
     int Lights; // 0: the first picture stays
   };
   const Case cases[] = {
-    { "no time after the picture", 1.0, 3, 0 },
+    { "no time for a batch", 0.9, 3, 0 },
+    { "no time for the second one", 1.1, 3, 0 },
     { "time for 15 batches", 1.6 + 1.55, 3, 0 },
     { "time for 16 batches", 1.6 + 1.65, 3, 16 * 64 },
     { "time for the rest of 32 batches", 1.6 + 3.05, 3, 2048 },
@@ -86,6 +88,7 @@ VTK_INDIRECT_TEST(RefinementWithinSeconds)
     Run run;
     const Schedule schedule = run.Do({ c.Refinements, c.Seconds, false });
     CheckEqual(std::string(c.What) + ": lights", run.Lights, c.Lights);
+    Check(std::string(c.What) + ": batches", (run.Batches == 0) == (c.Seconds <= run.Picture));
     CheckEqual(std::string(c.What) + ": refinements", schedule.GetRefinements(), c.Lights ? 1 : 0);
     Check(std::string(c.What) + ": in time",
       run.Now <= std::max(c.Seconds, run.Picture + run.First + run.Batch) + 1.0e-9);
@@ -109,9 +112,7 @@ VTK_INDIRECT_TEST(RefinementWithOtherSeconds)
   schedule.SetLimits({ 2, 100.0, false }, 5.0);
   CheckEqual("batches within seconds", schedule.GetBatch().Number, 0);
   CheckEqual("lights", schedule.GetNumberOfLights(), 2048);
-  schedule.EndBatch(5.5);
-  schedule.SetLimits({ 2, 100.0, false }, 6.0);
-  CheckEqual("batches with the same seconds", schedule.GetBatch().Number, 1);
+  CheckEqual("refinements that stay", schedule.GetRefinements(), 1);
 }
 
 // On a screen, eight frames bring a finer picture; the next batches come meanwhile.
@@ -126,7 +127,7 @@ VTK_INDIRECT_TEST(RefinementsFade)
   int wrong = 0;
   while (schedule.CountFramesLeft() > 0)
   {
-    schedule.BeginFrame();
+    schedule.BeginFrame(0.0);
     if (schedule.HasBatch())
     {
       schedule.EndBatch(0.0);

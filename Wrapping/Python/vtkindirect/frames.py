@@ -162,8 +162,9 @@ def fill(passes: list[Any], step: Step = no_step) -> Iterator[None]:
         step(f"{left} depth maps to draw", math.ceil(left / max(now - before, 1)) - 1)
         before = now
         yield
-    left, before = max(map(batches_left, passes), default=0), math.inf
-    while 0 < left < before:
+    # A time budget may begin anew with more batches.
+    left, before = max(map(batches_left, passes), default=0), 0
+    while left not in (0, before):
         step(f"{left} batches of lights to sum", left - 1)
         yield
         left, before = max(map(batches_left, passes), default=0), left

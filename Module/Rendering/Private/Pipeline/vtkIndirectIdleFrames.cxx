@@ -50,6 +50,7 @@ void vtkIndirectIdleFrames::EndFrame(vtkRenderWindow* window, long long left)
 {
   const bool goesOn = left > 0 && (!this->IsOwn || left != this->Left);
   this->Left = left;
+  this->IsOwn = false;
   vtkRenderWindowInteractor* const interactor = window->GetInteractor();
   if (interactor != this->Interactor)
   {
@@ -84,7 +85,7 @@ void vtkIndirectIdleFrames::OnTimer(vtkObject*, unsigned long, void* self, void*
   {
     interactor->DestroyTimer(timers.front());
   }
+  // The frame may delete the pass: nothing of it is read after that.
   idle->IsOwn = true;
   interactor->Render();
-  idle->IsOwn = false;
 }

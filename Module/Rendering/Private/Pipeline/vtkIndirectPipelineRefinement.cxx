@@ -42,7 +42,7 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
   if (stands && (this->Plan.FinishesAtOnce || !isNew))
   {
     const bool fades = schedule.GetShare() < 1.0;
-    schedule.BeginFrame();
+    schedule.BeginFrame(vtkIndirectRefinementSchedule::ReadClock());
     if (fades && !schedule.HasBatch())
     {
       this->ShowRefinement();
@@ -100,7 +100,7 @@ bool vtkIndirectPipeline::AddBatch()
   }
   // The estimator sums the batch in the picture's images.
   const bool first = input.Batch.Number == 0;
-  if (first && this->Schedule.GetRefinements() == 0)
+  if (first && (this->Schedule.GetRefinements() == 0 || this->Accumulation.GetBytes() == 0))
   {
     done = done && this->Accumulation.Keep(this->Frame, part.Result.Contributions);
   }

@@ -28,24 +28,34 @@ void vtkIndirectRefinementSchedule::SetLimits(const LimitType& limits, double no
   this->Limits = limits;
   if (differ)
   {
-    this->Restart(now);
+    this->Begin(now);
   }
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectRefinementSchedule::Restart(double now)
 {
-  this->Refinement = this->Batches = 0;
-  this->Lights = 4 * LightsOfPicture;
+  this->Refinement = 0;
   this->Fade = StepsOfFade;
+  this->Begin(now);
+}
+
+//------------------------------------------------------------------------------
+// Begins the next refinement.
+void vtkIndirectRefinementSchedule::Begin(double now)
+{
+  this->Batches = 0;
+  this->Lights = 4 * LightsOfPicture;
   this->IsMeasured = this->HasEnded = false;
   this->Began = this->LastEnd = now;
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectRefinementSchedule::BeginFrame()
+void vtkIndirectRefinementSchedule::BeginFrame(double now)
 {
   this->Fade = std::min(this->Fade + 1, StepsOfFade);
+  this->HasEnded = this->HasEnded ||
+    (this->Limits.Seconds > 0.0 && this->Batches == 0 && now >= this->Began + this->Limits.Seconds);
 }
 
 //------------------------------------------------------------------------------

@@ -22,8 +22,8 @@ public:
   /** Seconds of a clock that nobody sets. */
   static double ReadClock();
   /**
-   * Limits of this frame; other seconds restart. now, here and below: ReadClock, or a time of a
-   * test.
+   * Limits of this frame. With other seconds the refinement under way begins anew. now, here and
+   * below: ReadClock, or a time of a test.
    */
   void SetLimits(const LimitType& limits, double now);
   /** A picture has come. */
@@ -34,8 +34,8 @@ public:
   void Refuse() { this->IsRefused = true; }
   void Forgive() { this->IsRefused = false; }
 
-  /** Begins a frame that adds something. */
-  void BeginFrame();
+  /** Begins a frame that adds something, if there is time. */
+  void BeginFrame(double now);
   bool HasBatch() const;
   /** The lights of the refinement under way, and the batch of them that comes next. */
   int GetNumberOfLights() const;
@@ -51,6 +51,7 @@ public:
   long long CountFramesLeft() const;
 
 private:
+  void Begin(double now);
   void Measure(double now);
 
   LimitType Limits;
