@@ -94,6 +94,7 @@ NOT_RUN = {
     ("Documentation/scene-files.md", "corner.json: actors[1]"): ERROR,
     ("Documentation/speed-vs-error.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/benchmarks.md", "Testing/Benchmark/report"): BENCHMARKS,
+    ("Documentation/speed-vs-error/convergence.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/hints.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/sky.md", "Testing/Benchmark/report"): BENCHMARKS,
     ("Documentation/speed-vs-error/spheres.md", "Testing/Benchmark/report"): BENCHMARKS,
