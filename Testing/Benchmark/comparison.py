@@ -40,8 +40,8 @@ from reference_environment import Denoiser, Flip, Traced
 
 YARDSTICKS = (compare.NOTHING, compare.SSAO)
 TRACER = "mitsuba"
-WHOLE = "convergence"
-"""The sweep file whose plots have the time until a still picture is there."""
+LEFT_ALONE = "convergence"
+"""The sweep file of pictures left alone: its plots have the time until a picture is there."""
 DENOISED = "denoised"
 """Word in the label of a path tracer's row whose image is denoised."""
 CURVES = {"one_bounce": "one bounce", "all_bounces": "all bounces"}
@@ -481,7 +481,8 @@ def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
             if worker is not None:
                 worker.close()
     written = compare.write(results, directory)
-    compare.say(results, [*written, *page.write(results, directory, Path(arguments.sweep or "").stem == WHOLE)])
+    whole = Path(arguments.sweep or "").stem == LEFT_ALONE
+    compare.say(results, [*written, *page.write(results, directory, whole)])
 
 
 if __name__ == "__main__":

@@ -253,7 +253,7 @@ def draw(rows: Sequence[Result], path: Path, whole: bool = False) -> bool:
     whole: as for `series`.
     """
     pyplot = require_plots()
-    panels = {name: series(rows, name, whole) for name in (PANELS if not whole else [WHOLE])}
+    panels = {name: series(rows, name, whole) for name in ([WHOLE] if whole else PANELS)}
     panels = {name: found for name, found in panels.items() if found}
     if not panels:
         return False

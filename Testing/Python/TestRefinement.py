@@ -79,8 +79,8 @@ class Refinement(unittest.TestCase):
         self.render()
         self.assertGreater(rms(irradiance(renderer), first), 1e-3)
 
-    def test_the_picture_stays_as_it_is_by_default(self) -> None:
-        renderer = self.add_room(0)
+    def test_a_picture_off_screen_stays_as_it_is_by_default(self) -> None:
+        renderer = self.add_room(-1)
         self.render()
         first = irradiance(renderer)
         self.render(2)

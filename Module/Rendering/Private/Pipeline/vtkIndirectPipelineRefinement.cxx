@@ -12,9 +12,9 @@
 
 namespace
 {
-// These are the errors of refined pictures over their changes from the pictures before them, as the
-// guide has them ("A picture left alone"). The first picture has fewer lights, of a quarter of the
-// texels: most of the first change is its own error.
+// A refined picture's error is so many times its change from the picture before it, by the table of
+// the guide ("A picture left alone"). Most of the first change is the error of the first picture,
+// which has fewer lights, of a quarter of the texels.
 constexpr double ErrorOverFirstChange = 0.5;
 constexpr double ErrorOverChange = 1.0;
 }
@@ -47,13 +47,14 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
     {
       this->ShowRefinement();
     }
-    do
+    for (bool adds = schedule.HasBatch(); adds;
+         adds = this->Plan.FinishesAtOnce && schedule.HasBatch())
     {
-      if (schedule.HasBatch() && !this->AddBatch())
+      if (!this->AddBatch())
       {
         schedule.Refuse();
       }
-    } while (this->Plan.FinishesAtOnce && schedule.HasBatch());
+    }
   }
   if (!this->Plan.Interactive && schedule.CountFramesLeft() == 0 &&
     this->Accumulation.GetBytes() > 0)
