@@ -133,9 +133,9 @@ class Cie171(unittest.TestCase):
         """A buffer of one face after all work of a still picture."""
         window = windows.render_window(look(renderer, at, height), offscreen=True)
         window.AddRenderer(renderer)
-        indirect = vtkindirect.enable(renderer, lighting="scene", **settings)
+        vtkindirect.enable(renderer, lighting="scene", **settings)
         window.Render()
-        while frames.tiles_left(indirect) > 0:
+        for _ in frames.fill([renderer.GetPass()]):
             window.Render()
         image = vtkindirect.copy_buffer(renderer, buffer).astype(float)
         vtkindirect.disable(renderer)
@@ -146,7 +146,7 @@ class Cie171(unittest.TestCase):
     def compare(self, what: str, found: np.ndarray, exact: list[float], most: float) -> None:
         for value, wanted in zip(found, exact):
             print(f"{what}: {value:8.3f}, exact {wanted:8.3f}, {100 * (value / wanted - 1):+.2f} %")
-        self.assertLess(np.abs(np.asarray(found) / exact - 1).max(), most)
+        self.assertLess(np.abs(np.asarray(found) / exact - 1).max(initial=0.0), most)
 
     def test_5_3_area_source(self) -> None:
         for at, places in (("wall", WALL), ("floor", FLOOR)):
@@ -199,9 +199,9 @@ class Cie171(unittest.TestCase):
             exact = flux * albedo / (6 * side * side * (1 - albedo))
             self.compare(f"5.8 albedo {albedo}, lx", [found], [exact], 0.02)
 
-    def test_5_9_sky_through_an_opening(self) -> None:
-        """The goal is 2 %. The sky's 256 directions are fixed: few of them pass a small opening, and their
-        images of it are smoothed less beside a wall. 35 % measured there, 14 % elsewhere."""
+    def compare_sky(self, most: float, highest: float, **settings) -> None:
+        """The highest point of the wall has a bound of its own: it sees the opening at 7 degrees, as high as
+        three to six texels of the sky's maps."""
         skies = {
             "overcast": (lambda e: 1 + 4 * np.exp(-0.7 / np.sin(e)), OVERCAST),
             "uniform": (lambda e: np.ones_like(e), UNIFORM),
@@ -209,9 +209,17 @@ class Cie171(unittest.TestCase):
         for name, (radiance, exact) in skies.items():
             for at, places in (("wall", WALL), ("floor", FLOOR)):
                 renderer = make_room([*walls(HEIGHT, 0.5), floor(0.5), *open_roof(0.5)])
-                image = self.measure(renderer, at, "sky", environment=sky(radiance))
+                image = self.measure(renderer, at, "sky", environment=sky(radiance), **settings)
                 found = 100 * along(image, places) / outside(radiance)
-                self.compare(f"5.9 {name} {at}, %", found, exact[at], 0.36)
+                low = 1 if at == "wall" else 0
+                self.compare(f"5.9 {name} {at}, %", found[:low], exact[at][:low], highest)
+                self.compare(f"5.9 {name} {at}, %", found[low:], exact[at][low:], most)
+
+    def test_5_9_sky_through_an_opening(self) -> None:
+        self.compare_sky(0.03, 0.05)
+
+    def test_5_9_left_alone(self) -> None:
+        self.compare_sky(0.02, 0.05, NumberOfRefinements=2)
 
 
 if __name__ == "__main__":

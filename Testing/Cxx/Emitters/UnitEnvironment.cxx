@@ -90,6 +90,24 @@ VTK_INDIRECT_TEST(EnvironmentIsAllOfTheSphere)
   }
 }
 
+VTK_INDIRECT_TEST(NearestDirectionOfALattice)
+{
+  const std::vector<glm::dvec3> from = vtkIndirectDirections::MakeLattice(1000);
+  int differ = 0;
+  for (const int count : { 1, 2, 7, 64, 2048, 8192 })
+  {
+    const std::vector<glm::dvec3> lattice = vtkIndirectDirections::MakeLattice(count);
+    for (const glm::dvec3& direction : from)
+    {
+      differ += vtkIndirectDirections::FindNearestOfLattice(direction, lattice) !=
+          vtkIndirectDirections::FindNearest(direction, lattice)
+        ? 1
+        : 0;
+    }
+  }
+  CheckEqual("directions given to another place than by brute force", differ, 0);
+}
+
 VTK_INDIRECT_TEST(EnvironmentLiesAsASkyboxDoes)
 {
   // One bright pixel of 64 x 32: column, row, and its direction.

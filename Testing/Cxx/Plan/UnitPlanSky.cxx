@@ -46,6 +46,21 @@ VTK_INDIRECT_TEST(PlanSky)
     "not without a sky", !vtkIndirectPlan::Make(MakeFrame({ MakeLight() }), {}, {}, {}).SkyBounces);
 }
 
+// A pixel is to see as many directions through an opening as in the open.
+VTK_INDIRECT_TEST(PlanDirectionsOfAnOpening)
+{
+  vtkIndirectPlan plan;
+  for (const double share : { 1.0, 0.7, 0.3, 0.18 })
+  {
+    CheckEqual("the plan's number suffices", plan.FindDirectionsOfOpening(share), 0);
+  }
+  CheckEqual("less than a quarter of the share", plan.FindDirectionsOfOpening(0.174), 2048);
+  CheckEqual("an eighth", plan.FindDirectionsOfOpening(0.09), 2048);
+  CheckEqual("a pinhole", plan.FindDirectionsOfOpening(1e-6), 8192);
+  plan.NumberOfStillSkyDirections = 64;
+  CheckEqual("of a weak sky", plan.FindDirectionsOfOpening(0.08), 1024);
+}
+
 // The source of the sky; the estimator keeps the lights.
 VTK_INDIRECT_TEST(PlanSkySource)
 {

@@ -104,6 +104,29 @@ size_t vtkIndirectDirections::FindNearest(
 }
 
 //------------------------------------------------------------------------------
+size_t vtkIndirectDirections::FindNearestOfLattice(
+  const glm::dvec3& direction, const std::vector<glm::dvec3>& lattice)
+{
+  // No direction is further than 3 / sqrt(n) from the nearest one, nor further away in height.
+  const double count = static_cast<double>(lattice.size());
+  const double middle = 0.5 * (1.0 - direction.y) * count;
+  const double reach = 1.5 * std::sqrt(count) + 1.0;
+  const size_t end = static_cast<size_t>(std::min(middle + reach, count));
+  size_t nearest = static_cast<size_t>(std::clamp(middle, 0.0, count - 1.0));
+  double most = -2.0;
+  for (size_t i = static_cast<size_t>(std::max(middle - reach, 0.0)); i < end; ++i)
+  {
+    const double cosine = glm::dot(direction, lattice[i]);
+    if (cosine > most)
+    {
+      most = cosine;
+      nearest = i;
+    }
+  }
+  return nearest;
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::pair<size_t, double>> vtkIndirectDirections::FindAround(
   const glm::dvec3& direction, const std::vector<glm::dvec3>& directions)
 {

@@ -27,6 +27,12 @@ std::vector<glm::dvec3> MakeNestedLattice(int count);
 size_t FindNearest(const glm::dvec3& direction, const std::vector<glm::dvec3>& directions);
 
 /**
+ * Returns the same number for a lattice of MakeLattice, by comparing with those of its directions
+ * that are as high.
+ */
+size_t FindNearestOfLattice(const glm::dvec3& direction, const std::vector<glm::dvec3>& lattice);
+
+/**
  * Returns three directions around a direction, and weights, none below zero, with which their sum
  * is the direction itself. The directions are a face of the convex hull of all of them, so that the
  * weights change smoothly with the direction. Fewer directions are returned if they suffice.

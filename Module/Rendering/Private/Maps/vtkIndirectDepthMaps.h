@@ -32,6 +32,7 @@ public:
     AREA_LIGHTS,
     AREA_ROUNDS,    // further points of area lights, whose maps are not kept
     FURTHER_LIGHTS, // virtual lights of a finer picture of the same scene
+    FURTHER_SKY,    // directions of the sky of a finer picture
     NUMBER_OF_CLIENTS
   };
   using Map = vtkIndirectDepthAtlas::Map;
@@ -86,7 +87,8 @@ private:
   Client Clients[NUMBER_OF_CLIENTS]{ Client(nullptr), Client("lights that have a size"),
     Client("virtual lights", true), Client("strong directions of the sky"),
     Client("directions of the sky"), Client("points of area lights", true), Client(nullptr, true),
-    Client("virtual lights of a finer picture", true) };
+    Client("virtual lights of a finer picture", true),
+    Client("directions of the sky of a finer picture") };
   size_t NumberOfTilesDrawn = 0;
   Casters LastCasters; // at the last Begin
   double SceneScale = 0.0;

@@ -8,7 +8,9 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace
 {
@@ -79,15 +81,10 @@ bool vtkIndirectAccumulation::Keep(const vtkIndirectFrame& frame, const Contribu
 
 //------------------------------------------------------------------------------
 bool vtkIndirectAccumulation::Add(
-  const vtkIndirectFrame& frame, const Contributions& batch, bool first)
+  const vtkIndirectFrame& frame, size_t number, const vtkIndirectContribution& light, bool first)
 {
-  bool added = batch.size() == this->Kept.size() && this->Resize(frame, batch.size(), this->Sums);
-  for (size_t i = 0; added && i < batch.size(); ++i)
-  {
-    const vtkIndirectContribution& light = batch[i];
-    added = this->Draw(frame, *light.Target, light.Channel, light.Unit, !first, *this->Sums[i]);
-  }
-  return added;
+  return number < this->Kept.size() && this->Resize(frame, this->Kept.size(), this->Sums) &&
+    this->Draw(frame, *light.Target, light.Channel, light.Unit, !first, *this->Sums[number]);
 }
 
 //------------------------------------------------------------------------------
@@ -98,11 +95,26 @@ void vtkIndirectAccumulation::Finish()
 }
 
 //------------------------------------------------------------------------------
-// The first contribution is irradiance; pixels without light in both pictures do not count.
-double vtkIndirectAccumulation::FindChange() const
+// Pixels without light in both pictures do not count.
+double vtkIndirectAccumulation::FindChange(const Contributions& picture) const
 {
-  const std::vector<float> before = this->Before[0]->ReadBack(0);
-  const std::vector<float> kept = this->Kept[0]->ReadBack(0);
+  const auto read = [&picture](const Images& images)
+  {
+    std::vector<float> sum;
+    for (size_t i = 0; i < picture.size(); ++i)
+    {
+      if (picture[i].Kind == vtkIndirectContribution::SKY ||
+        picture[i].Kind == vtkIndirectContribution::BOUNCE)
+      {
+        const std::vector<float> light = images[i]->ReadBack(0);
+        sum.resize(light.size(), 0.0f);
+        std::transform(light.begin(), light.end(), sum.begin(), sum.begin(), std::plus<>());
+      }
+    }
+    return sum;
+  };
+  const std::vector<float> before = read(this->Before);
+  const std::vector<float> kept = read(this->Kept);
   double sum = 0.0;
   double squares = 0.0;
   long long count = 0;

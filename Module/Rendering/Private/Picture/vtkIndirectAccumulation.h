@@ -26,15 +26,16 @@ public:
    * the other functions.
    */
   bool Keep(const vtkIndirectFrame& frame, const Contributions& picture);
-  /** Adds the light of a batch; first: it is the first one. */
-  bool Add(const vtkIndirectFrame& frame, const Contributions& batch, bool first);
+  /** Adds a batch's light of the picture's contribution of this number; first: it is the first. */
+  bool Add(
+    const vtkIndirectFrame& frame, size_t number, const vtkIndirectContribution& light, bool first);
   /** Keeps the sum of all batches, and the light before for Show. */
   void Finish();
   /**
-   * Returns the RMS difference of the light that is kept from the light before, over the mean,
+   * Returns the RMS difference of the irradiance that is kept from that before, over the mean,
    * after Finish.
    */
-  double FindChange() const;
+  double FindChange(const Contributions& picture) const;
   /** Writes this share of the light that is kept, and the rest of the light before, into images. */
   bool Show(const vtkIndirectFrame& frame, const Contributions& picture, double share);
 

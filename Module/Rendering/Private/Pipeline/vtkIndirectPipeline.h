@@ -153,6 +153,10 @@ private:
   }
   void Refine(const vtkIndirectFrameLight::Input& input);
   bool AddBatch();
+  bool RefinesSky() const;
+  bool DrawMapsOfBatch();
+  bool SumOpening();
+  std::vector<vtkIndirectContribution> GetRefined() const;
   bool ShowRefinement();
   void ReleaseRefinement();
   void UpdatePart(Part& part, const vtkIndirectFrameLight::Input& input);
@@ -160,6 +164,7 @@ private:
   bool IsCurrent(const Part& part) const;
   void AppendAreaLights(vtkIndirectKey& key) const;
   void AddCoarseMapsToReport(vtkIndirectReport& report) const;
+  void AddRefinementToReport(vtkIndirectReport& report) const;
   long long CountTilesLeft() const;
   long long CountBatchesLeft() const;
   bool UpdateSenderMaps(vtkIndirectFrameSamplers& samplers);
@@ -178,7 +183,7 @@ private:
   vtkIndirectCreases Creases{ this };
   vtkIndirectBounceLight Bounce{ this, Samplers, DepthMaps, vtkIndirectDepthMaps::VIRTUAL_LIGHTS };
   // A finer picture has lights and maps of its own: a moving frame takes those of the first picture
-  // up.
+  // up. Its sky waits for SkyMaps, whose maps of strong directions it shares.
   vtkIndirectFrameSamplers FinerSamplers{ this };
   vtkIndirectBounceLight FinerBounce{ this, FinerSamplers, DepthMaps,
     vtkIndirectDepthMaps::FURTHER_LIGHTS };
@@ -187,6 +192,9 @@ private:
   double FrameBegan = 0.0; // on the schedule's clock
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };
+  vtkIndirectSkyGather FinerSky{ this, DepthMaps, &SkyMaps };
+  int DirectionsOfOpening = 0;              // that the sky is summed over; 0: the plan's number
+  double ShareOfOpening = 1.0;              // of the sky, that pixels see; their median
   vtkNew<vtkProxyAccumulationPass> Spheres; // its sum replaces SkyMaps
   vtkIndirectSphereMotion SphereMotion;
   vtkIndirectAreaGather Area{ this, DepthMaps };

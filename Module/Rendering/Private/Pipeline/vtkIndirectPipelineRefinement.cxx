@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Refinement of a still picture: while nothing changes, frames sum its indirect light anew, of four
-// times as many virtual lights each time, in batches.
+// times as many virtual lights and directions of the sky each time, in batches.
 #include "OpenGL/vtkIndirectGL.h"
 
 #include "Pipeline/vtkIndirectPipeline.h"
@@ -17,12 +17,29 @@ namespace
 // which has fewer lights, of a quarter of the texels.
 constexpr double ErrorOverFirstChange = 0.5;
 constexpr double ErrorOverChange = 1.0;
+
+// Directions of the sky of a batch of lights, and texels of their maps over those of the first
+// picture.
+constexpr int SkyOfBatch = 64;
+constexpr int FinerTexels = 2;
+// Directions of a batch where an opening needs many, and the edge of the blocks of pixels that
+// share them: a pixel asks about as many as it has asked before.
+constexpr int SkyOfOpening = 256;
+constexpr int BlockOfOpening = 2;
 }
 
 //------------------------------------------------------------------------------
 // Adds a batch to a picture that stands, or refines one that is to be finished at once.
 void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
 {
+  Part& sky = this->Parts[1];
+  if (sky.IsNew)
+  {
+    const bool sums = this->Plan.FinishesAtOnce && this->Plan.Refinements == 0 &&
+      this->RefinesSky() && sky.IsThere && sky.Light->IsComplete();
+    this->DirectionsOfOpening = 0;
+    sky.IsThere = sky.IsThere && (!sums || this->SumOpening());
+  }
   vtkIndirectRefinementSchedule& schedule = this->Schedule;
   schedule.SetLimits(
     { this->Plan.Refinements, this->Plan.RefinementSeconds, this->Plan.RefinementFades },
@@ -67,12 +84,74 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
 // The finished picture is in the images of the first one.
 void vtkIndirectPipeline::ReleaseRefinement()
 {
-  vtkIndirectResource* const all[] = { &this->FinerBounce, &this->FinerSamplers,
+  vtkIndirectResource* const all[] = { &this->FinerBounce, &this->FinerSamplers, &this->FinerSky,
     &this->Accumulation };
   for (vtkIndirectResource* resource : all)
   {
     resource->Release(this->Frame.Window);
   }
+}
+
+//------------------------------------------------------------------------------
+// Returns true if depth maps tell what hides the sky.
+bool vtkIndirectPipeline::RefinesSky() const
+{
+  const Part& sky = this->Parts[1];
+  return sky.IsAsked && sky.Light == &this->SkyMaps && this->Plan.SkyIsShadowed;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::DrawMapsOfBatch()
+{
+  if (!this->DepthMaps.HasRequests())
+  {
+    return true;
+  }
+  this->Timer.Begin(vtkIndirectStageTimer::Visibility);
+  const bool drawn = this->DepthMaps.Draw(this->Frame, this->Capture);
+  this->Timer.End(vtkIndirectStageTimer::Visibility);
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+// Sums the sky anew where pixels see it through openings that few directions pass, in a picture
+// that is to be finished at once. Returns false, after an error, when OpenGL refuses.
+bool vtkIndirectPipeline::SumOpening()
+{
+  this->ShareOfOpening = this->SkyMaps.FindMedianShare();
+  this->DirectionsOfOpening = this->Plan.FindDirectionsOfOpening(this->ShareOfOpening);
+  if (this->DirectionsOfOpening == 0)
+  {
+    return true;
+  }
+  this->FinerSky.SetBatches(SkyOfOpening, this->Plan.SkyTileTexels, BlockOfOpening);
+  vtkIndirectFrameLight::Input input = this->MakeInput(this->Bounce.GetVisibility());
+  input.Batch.Count = this->DirectionsOfOpening / SkyOfOpening;
+  bool done = true;
+  vtkIndirectEstimate light;
+  for (; done && input.Batch.Number < input.Batch.Count; ++input.Batch.Number)
+  {
+    done = this->FinerSky.Update(input) && this->DrawMapsOfBatch();
+    light = done ? this->FinerSky.MakeEstimate(input) : vtkIndirectEstimate();
+    done = light.State != vtkIndirectEstimate::FAILED;
+  }
+  done = done && this->Accumulation.Keep(this->Frame, light.Contributions) &&
+    this->Accumulation.Show(this->Frame, this->Parts[1].Result.Contributions, 1.0);
+  this->ReleaseRefinement();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+// Returns the picture's contributions that are refined: indirect light, then light from the sky.
+std::vector<vtkIndirectContribution> vtkIndirectPipeline::GetRefined() const
+{
+  std::vector<vtkIndirectContribution> refined = this->Parts[0].Result.Contributions;
+  if (this->RefinesSky())
+  {
+    const std::vector<vtkIndirectContribution>& sky = this->Parts[1].Result.Contributions;
+    refined.insert(refined.end(), sky.begin(), sky.end());
+  }
+  return refined;
 }
 
 //------------------------------------------------------------------------------
@@ -92,27 +171,35 @@ bool vtkIndirectPipeline::AddBatch()
   this->Capture->Attach(this->Frame);
   bool done = this->UpdateSenderMaps(this->FinerSamplers);
   this->Capture->Detach();
-  done = done && this->FinerBounce.Update(input);
-  if (done && this->DepthMaps.HasRequests())
-  {
-    this->Timer.Begin(vtkIndirectStageTimer::Visibility);
-    done = this->DepthMaps.Draw(this->Frame, this->Capture);
-    this->Timer.End(vtkIndirectStageTimer::Visibility);
-  }
+  const bool sky = this->RefinesSky();
+  this->FinerSky.SetBatches(SkyOfBatch, FinerTexels * this->Plan.SkyTileTexels, 1);
+  done = done && this->FinerBounce.Update(input) && (!sky || this->FinerSky.Update(input));
+  done = done && this->DrawMapsOfBatch();
   // The estimator sums the batch in the picture's images.
   const bool first = input.Batch.Number == 0;
   if (first && (this->Schedule.GetRefinements() == 0 || this->Accumulation.GetBytes() == 0))
   {
-    done = done && this->Accumulation.Keep(this->Frame, part.Result.Contributions);
+    done = done && this->Accumulation.Keep(this->Frame, this->GetRefined());
   }
   const vtkIndirectEstimate batch =
     done ? this->FinerBounce.MakeEstimate(input) : vtkIndirectEstimate();
-  done = batch.State != vtkIndirectEstimate::FAILED &&
-    this->Accumulation.Add(this->Frame, batch.Contributions, first);
+  done = batch.State != vtkIndirectEstimate::FAILED;
+  size_t number = 0;
+  for (const vtkIndirectContribution& light : batch.Contributions)
+  {
+    done = done && this->Accumulation.Add(this->Frame, number++, light, first);
+  }
+  if (done && sky)
+  {
+    const vtkIndirectEstimate light = this->FinerSky.MakeEstimate(input);
+    done = light.State != vtkIndirectEstimate::FAILED &&
+      (light.State == vtkIndirectEstimate::REFINING ||
+        this->Accumulation.Add(this->Frame, number, light.Contributions.front(), true));
+  }
   if (done && this->Schedule.EndBatch(vtkIndirectRefinementSchedule::ReadClock()))
   {
     this->Accumulation.Finish();
-    part.Result.Error = this->Accumulation.FindChange() *
+    part.Result.Error = this->Accumulation.FindChange(this->GetRefined()) *
       (this->Schedule.GetRefinements() == 1 ? ErrorOverFirstChange : ErrorOverChange);
     if (this->Plan.ErrorToleranceIsSet && part.Result.Error <= this->Plan.ErrorTolerance)
     {
@@ -132,8 +219,29 @@ bool vtkIndirectPipeline::AddBatch()
 //------------------------------------------------------------------------------
 bool vtkIndirectPipeline::ShowRefinement()
 {
-  return this->Accumulation.Show(
-    this->Frame, this->Parts[0].Result.Contributions, this->Schedule.GetShare());
+  return this->Accumulation.Show(this->Frame, this->GetRefined(), this->Schedule.GetShare());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPipeline::AddRefinementToReport(vtkIndirectReport& report) const
+{
+  if (this->DirectionsOfOpening > 0)
+  {
+    report.Modelled.emplace_back("light from the sky through openings",
+      std::to_string(this->DirectionsOfOpening) + " directions, a pixel of " +
+        std::to_string(BlockOfOpening * BlockOfOpening) +
+        " asks each: half of the pixels see less than " +
+        vtkIndirectReport::Number(this->ShareOfOpening, 2) + " of the sky");
+  }
+  const int lights = this->Schedule.GetLightsOfPicture();
+  if (lights > 0)
+  {
+    const int directions = lights / vtkIndirectRefinementSchedule::LightsOfBatch * SkyOfBatch;
+    report.Modelled.emplace_back("refined picture",
+      std::to_string(lights) + " virtual lights" +
+        (this->RefinesSky() ? ", and " + std::to_string(directions) + " directions of the sky"
+                            : ""));
+  }
 }
 
 //------------------------------------------------------------------------------

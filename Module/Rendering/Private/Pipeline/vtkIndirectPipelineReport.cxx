@@ -153,6 +153,7 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
         part.Name, part.Waits ? WhyItWaits : "its computation had an error");
     }
   }
+  this->AddRefinementToReport(report);
   if (this->LampsAreReplaceable)
   {
     report.Modelled.emplace_back("balance of the preset's light",

@@ -9,7 +9,7 @@ namespace
 // Batches that measure the time of one: the first one builds shaders and chooses the lights.
 constexpr int MeasuredBatches = 2;
 // A refinement of fewer lights is not nearer to the truth than the picture.
-constexpr int FewestLights = 2 * vtkIndirectRefinementSchedule::LightsOfPicture;
+constexpr int FewestLights = 2 * vtkIndirectRefinementSchedule::LightsOfFirst;
 // A refinement of so many times the lights is worth summing its first batches once more.
 constexpr double WorthAnew = 1.25;
 }
@@ -35,7 +35,7 @@ void vtkIndirectRefinementSchedule::SetLimits(const LimitType& limits, double no
 //------------------------------------------------------------------------------
 void vtkIndirectRefinementSchedule::Restart(double now)
 {
-  this->Refinement = 0;
+  this->Refinement = this->Finished = 0;
   this->Fade = StepsOfFade;
   this->Begin(now);
 }
@@ -45,7 +45,7 @@ void vtkIndirectRefinementSchedule::Restart(double now)
 void vtkIndirectRefinementSchedule::Begin(double now)
 {
   this->Batches = 0;
-  this->Lights = 4 * LightsOfPicture;
+  this->Lights = 4 * LightsOfFirst;
   this->IsMeasured = this->HasEnded = false;
   this->Began = this->LastEnd = now;
 }
@@ -69,8 +69,7 @@ bool vtkIndirectRefinementSchedule::HasBatch() const
 //------------------------------------------------------------------------------
 int vtkIndirectRefinementSchedule::GetNumberOfLights() const
 {
-  return this->Limits.Seconds > 0.0 ? this->Lights
-                                    : LightsOfPicture << (2 * (this->Refinement + 1));
+  return this->Limits.Seconds > 0.0 ? this->Lights : LightsOfFirst << (2 * (this->Refinement + 1));
 }
 
 //------------------------------------------------------------------------------
@@ -93,6 +92,7 @@ bool vtkIndirectRefinementSchedule::EndBatch(double now)
     return false;
   }
   this->Batches = 0;
+  this->Finished = this->GetNumberOfLights();
   ++this->Refinement;
   this->Fade = this->Limits.Fades ? 1 : StepsOfFade;
   return true;
@@ -104,7 +104,7 @@ void vtkIndirectRefinementSchedule::Measure(double now)
 {
   this->IsMeasured = true;
   const double left = this->Began + this->Limits.Seconds - now;
-  const double most = LightsOfPicture << (2 * this->Limits.Refinements);
+  const double most = LightsOfFirst << (2 * this->Limits.Refinements);
   const double batches = left / std::max(now - this->LastEnd, 1.0e-6);
   const int anew = static_cast<int>(std::clamp(batches, 0.0, most / LightsOfBatch)) * LightsOfBatch;
   const bool goesOn = batches >= this->GetBatch().Count - this->Batches;

@@ -8,7 +8,7 @@
 class vtkIndirectRefinementSchedule
 {
 public:
-  static constexpr int LightsOfPicture = 512; // about as many as a picture has at first
+  static constexpr int LightsOfFirst = 512; // about as many as a picture has at first
   static constexpr int LightsOfBatch = 64;
   static constexpr int StepsOfFade = 8; // frames in which a finer picture takes the place of one
 
@@ -45,6 +45,8 @@ public:
 
   /** Refinements that are there. */
   int GetRefinements() const { return this->Refinement; }
+  /** The lights of the last one of these; 0: there is none. */
+  int GetLightsOfPicture() const { return this->Finished; }
   /** The share, up to 1, of the finer picture in what is shown. */
   double GetShare() const;
   /** Frames, one for each batch or step of a fade, until nothing changes any more. */
@@ -58,6 +60,7 @@ private:
   int Refinement = 0; // the one that is under way, or comes next
   int Batches = 0;    // that are summed of the refinement
   int Lights = 0;     // of the refinement within Limits.Seconds
+  int Finished = 0;   // lights of the last refinement that is there
   int Fade = StepsOfFade;
   bool IsMeasured = false;
   bool HasEnded = false;

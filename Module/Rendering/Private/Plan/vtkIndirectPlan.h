@@ -269,6 +269,12 @@ struct vtkIndirectPlan
    * of the number, as from 64 to 256 in these scenes.
    */
   static int FindSkyDirections(double tolerance);
+  /**
+   * Returns the number of directions with which pixels that see this share of the sky, as through
+   * an opening, see as many of them as in the open: a power of two up to 8192, or 0 where the
+   * plan's number suffices. The relative error depends on the number of directions that are seen.
+   */
+  int FindDirectionsOfOpening(double share) const;
 
 private:
   void FindSenders(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,

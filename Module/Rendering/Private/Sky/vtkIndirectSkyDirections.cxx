@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sky/vtkIndirectSkyDirections.h"
 
+#include "Emitters/vtkIndirectDirections.h"
 #include "Emitters/vtkIndirectEmitterAccess.h"
 #include "Emitters/vtkIndirectSkyProjection.h"
 #include "OpenGL/vtkIndirectKernels.h"
@@ -73,6 +74,42 @@ bool vtkIndirectSkyDirections::Update(
   this->Count = count;
   this->Still = still;
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyDirections::UpdateFiner(
+  vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still)
+{
+  const bool other = this->Environment.Take({ "environment", environment });
+  if (!other && count == this->Count && still == this->Still)
+  {
+    return false;
+  }
+  this->Count = count;
+  this->Still = still;
+  this->FindLight(projection, environment);
+  this->Lattice = vtkIndirectDirections::MakeLattice(count);
+  this->ShareLattice();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Distributes all light but the strong directions' over the lattice.
+void vtkIndirectSkyDirections::ShareLattice()
+{
+  std::vector<glm::dvec3> light(this->Lattice.size(), glm::dvec3(0.0));
+  for (const Cell& cell : this->Cells)
+  {
+    light[vtkIndirectDirections::FindNearestOfLattice(cell.Direction, this->Lattice)] += cell.Light;
+  }
+  this->Others.clear();
+  for (size_t i = 0; i < light.size(); ++i)
+  {
+    if (vtkIndirectSkyProjection::SumColors(light[i]) > 0.0)
+    {
+      this->Others.push_back({ i, light[i], this->Lattice[i] });
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -36,6 +36,11 @@ public:
    */
   bool Update(
     vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still);
+  /**
+   * Finds the same light, the strong directions' apart, by a finer lattice of `count` directions.
+   */
+  bool UpdateFiner(
+    vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment, int count, int still);
 
   /** Returns the unit directions to the light that all frames together sum. */
   const std::vector<glm::dvec3>& GetLattice() const { return this->Lattice; }
@@ -79,6 +84,7 @@ public:
 
 private:
   void FindLight(vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
+  void ShareLattice();
   void FindOthers(int count);
 
   std::vector<glm::dvec3> Lattice; // a still frame's directions, and added ones

@@ -49,9 +49,6 @@ const vtkIndirectChannels OpenSkyChannels = {
 // Directions of a draw, at most 146: 16384 bytes, which every OpenGL allows. Long draws stall a
 // desktop.
 constexpr int SumBlock = 128;
-// Largest number of directions that a pixel without neighbours on its surface looks up by itself;
-// further directions are skipped.
-constexpr int OwnBlock = 64;
 constexpr int StrongTexels = 1024;
 // Moving frames find creases at every so many pixels: on five scenes, with a sun or without, relMSE
 // to still frames rises by at most 0.07 of it.
@@ -59,8 +56,10 @@ constexpr int MovingCreases = 4;
 }
 
 //------------------------------------------------------------------------------
-vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps)
+vtkIndirectSkyGather::vtkIndirectSkyGather(
+  vtkIndirectResource* owner, vtkIndirectDepthMaps& maps, const vtkIndirectSkyGather* first)
   : vtkIndirectFrameLight(owner)
+  , First(first)
   , Irradiance(this, SkyChannels, false)
   , Sums{ { this, StillChannels, false }, { this, SkySumChannels, false } }
   , Rows(this, SkySumChannels, false)
@@ -68,7 +67,7 @@ vtkIndirectSkyGather::vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndire
   , Open(this, SkyChannels, false)
   , OpenColors(this, OpenColorChannels, false)
   , Strong(maps, vtkIndirectDepthMaps::STRONG_SKY)
-  , Others(maps, vtkIndirectDepthMaps::SKY)
+  , Others(maps, first ? vtkIndirectDepthMaps::FURTHER_SKY : vtkIndirectDepthMaps::SKY)
 {
 }
 
@@ -129,8 +128,14 @@ bool vtkIndirectSkyGather::Update(const Input& input)
 {
   input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   const vtkIndirectFrame& frame = input.Frame;
-  this->UpdateDirections(input);
   this->Visible = input.Plan.SkyIsShadowed;
+  if (this->First)
+  {
+    this->UpdateFiner(input);
+    input.Timer.End(vtkIndirectStageTimer::Visibility);
+    return true;
+  }
+  this->UpdateDirections(input);
   std::vector<size_t> others;
   for (const Summand& summand : this->Directions.GetOthers())
   {
@@ -205,13 +210,41 @@ bool vtkIndirectSkyGather::UpdateOpenSky(const Input& input)
 vtkIndirectEstimate vtkIndirectSkyGather::MakeEstimate(const Input& input)
 {
   const bool still = input.Still && input.Plan.Caching && !this->MapsHaveChanged();
-  this->ChooseSummed();
   input.Timer.Begin(vtkIndirectStageTimer::Sky);
-  const bool summed = still || this->SumAll(input);
+  bool summed = still;
+  if (this->First)
+  {
+    summed = this->AddBatch(input);
+  }
+  else if (!still)
+  {
+    this->ChooseSummed();
+    summed = this->SumAll(input);
+  }
   input.Timer.End(vtkIndirectStageTimer::Sky);
   vtkIndirectContribution sky = { vtkIndirectContribution::SKY, &this->Irradiance };
   sky.Open = input.Plan.Catches ? &this->Open : nullptr;
-  return { summed ? vtkIndirectEstimate::CONVERGED : vtkIndirectEstimate::FAILED, { sky } };
+  const bool isLast = input.Batch.Number + 1 == input.Batch.Count;
+  return { !summed ? vtkIndirectEstimate::FAILED
+      : isLast     ? vtkIndirectEstimate::CONVERGED
+                   : vtkIndirectEstimate::REFINING,
+    { sky } };
+}
+
+//------------------------------------------------------------------------------
+// The sums have a texel for each of four pixels, or parts of whole blocks.
+bool vtkIndirectSkyGather::Resize(const Input& input)
+{
+  const vtkIndirectFrame& frame = input.Frame;
+  const int step = this->Step;
+  const int part = step > 1 ? step : 2;
+  const int factor = step > 1 ? step : 1;
+  const int size[2] = { (frame.Size[0] + part - 1) / part * factor,
+    (frame.Size[1] + part - 1) / part * factor };
+  const auto resize = [&](vtkIndirectTarget& image)
+  { return image.Resize(frame.Window, frame.Size[0], frame.Size[1], &input.Geometry.GetTarget()); };
+  return resize(this->Irradiance) && this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) &&
+    (step == 1 || resize(this->Rows));
 }
 
 //------------------------------------------------------------------------------
@@ -219,15 +252,7 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   const int step = this->Step = input.Plan.SkyBlock;
-  // The sums have a texel for each of four pixels, or parts of whole blocks.
-  const int part = step > 1 ? step : 2;
-  const int factor = step > 1 ? step : 1;
-  const int size[2] = { (frame.Size[0] + part - 1) / part * factor,
-    (frame.Size[1] + part - 1) / part * factor };
-  const auto resize = [&](vtkIndirectTarget& image)
-  { return image.Resize(frame.Window, frame.Size[0], frame.Size[1], &input.Geometry.GetTarget()); };
-  if (!resize(this->Irradiance) || !this->Sums[step > 1].Resize(frame.Window, size[0], size[1]) ||
-    (step > 1 && !resize(this->Rows)) || !this->UpdateOpenSky(input))
+  if (!this->Resize(input) || !this->UpdateOpenSky(input))
   {
     return false;
   }
@@ -253,8 +278,8 @@ bool vtkIndirectSkyGather::SumAll(const Input& input)
     done = done && (!this->Keeps || this->Reprojection.Begin(kept)) &&
       this->Smoothing.Resize(
         frame, this->Keeps ? this->Reprojection.GetShares() : input.Geometry.GetTarget()) &&
-      this->SumOthers(input) && (step == 1 || this->FilterRows(input)) &&
-      this->FilterColumns(input) && this->Smooth(input) &&
+      this->SumOthers(input, this->MakeTerms(this->Summed, false)) &&
+      (step == 1 || this->FilterRows(input)) && this->FilterColumns(input) && this->Smooth(input) &&
       (!this->Keeps || this->Reprojection.Keep(kept)) &&
       (!this->KeepsStill || this->Reprojection.KeepStill(kept, this->Smoothing.GetShares()));
   }
@@ -294,26 +319,26 @@ void vtkIndirectSkyGather::Activate(
 }
 
 //------------------------------------------------------------------------------
-bool vtkIndirectSkyGather::SumOthers(const Input& input)
+bool vtkIndirectSkyGather::SumOthers(const Input& input, Terms terms)
 {
-  const int step = input.Plan.SkyBlock;
+  const int step = this->Step;
   vtkIndirectTarget& sums = this->Sums[step > 1];
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
   const size_t size = SumBlock;
   // Neighbours on the sphere go to different places of a block.
-  Terms terms = this->MakeTerms(this->Summed, false);
-  const std::vector<glm::dvec3>& lattice = this->Directions.GetLattice();
+  const std::vector<glm::dvec3>& directions = this->Others.GetDirections();
   std::sort(terms.begin(), terms.end(),
-    [&lattice](const vtkIndirectSkyMaps::Term& a, const vtkIndirectSkyMaps::Term& b)
-    { return lattice[a.Number].y > lattice[b.Number].y; });
+    [&directions](const vtkIndirectSkyMaps::Term& a, const vtkIndirectSkyMaps::Term& b)
+    { return directions[a.Number].y > directions[b.Number].y; });
   std::vector<Terms> classes(static_cast<size_t>(step) * step);
   for (size_t k = 0; k < terms.size(); ++k)
   {
     classes[k % classes.size()].push_back(terms[k]);
   }
   // A single draw writes; several draws add up.
-  const bool adds = std::any_of(classes.begin(), classes.end(),
-    [&](const Terms& list) { return list.empty() || list.size() > size; });
+  const bool adds = input.Batch.Count > 1 ||
+    std::any_of(classes.begin(), classes.end(),
+      [&](const Terms& list) { return list.empty() || list.size() > size; });
 
   vtkIndirectFullScreenProgram& kernel = this->SumKernels[step > 1];
   kernel.SetDefinitions(this->GetDefinitions(SumBlock, step) +
@@ -325,7 +350,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
   }
   vtkOpenGLState* state = input.Frame.Window->GetState();
   sums.Begin();
-  if (adds)
+  if (adds && input.Batch.Number == 0)
   {
     sums.Clear();
   }
@@ -356,7 +381,7 @@ bool vtkIndirectSkyGather::SumOthers(const Input& input)
 //------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::FilterRows(const Input& input)
 {
-  const int step = input.Plan.SkyBlock;
+  const int step = this->Step;
   const vtkIndirectTarget& sums = this->Sums[1];
   const int part[2] = { sums.GetWidth() / step, sums.GetHeight() / step };
   this->RowKernel.SetDefinitions("#define VTKI_SKY_ROWS\n#define VTKI_SKY_STEP " +
@@ -375,10 +400,10 @@ bool vtkIndirectSkyGather::FilterRows(const Input& input)
 //------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::FilterColumns(const Input& input)
 {
-  const bool moving = input.Plan.SkyBlock > 1;
+  const bool moving = this->Step > 1;
   const vtkIndirectTarget& sums = moving ? this->Rows : this->Sums[0];
   vtkIndirectFullScreenProgram& kernel = this->ColumnKernels[moving];
-  kernel.SetDefinitions(this->GetDefinitions(OwnBlock, input.Plan.SkyBlock));
+  kernel.SetDefinitions(this->GetDefinitions(OwnBlock, this->Step));
   const auto set = [&](const vtkIndirectProgram& program)
   {
     this->Activate(input, moving ? &this->Others : nullptr, program);
@@ -393,7 +418,8 @@ bool vtkIndirectSkyGather::FilterColumns(const Input& input)
       static_cast<float>(vtkIndirectSkySmoothing::Parts * this->FindPartAngle(input)));
     if (moving)
     {
-      const Terms terms = this->MakeTerms(this->Summed, false);
+      const Terms terms =
+        this->First ? this->MakeOwnBatch(input.Batch) : this->MakeTerms(this->Summed, false);
       this->SetBlock(input, program, this->Others, terms, 0, OwnBlock);
     }
   };
@@ -410,15 +436,17 @@ double vtkIndirectSkyGather::FindPartAngle(const Input& input) const
   // Until all maps are there, fewer directions represent the sky.
   const double there = static_cast<double>(this->Summed.size()) /
     static_cast<double>(std::max<size_t>(this->Directions.GetOthers().size(), 1));
-  return 2.0 / std::sqrt(input.Plan.NumberOfSkyDirections * there);
+  const int count =
+    this->First ? this->DirectionsOfBatch * input.Batch.Count : input.Plan.NumberOfSkyDirections;
+  return 2.0 / std::sqrt(count * there);
 }
 
 //------------------------------------------------------------------------------
 bool vtkIndirectSkyGather::Smooth(const Input& input)
 {
-  return this->Smoothing.Run(
-    { input.Frame, input.Geometry, this->FindPartAngle(input), this->Visible,
-      input.Plan.SkyBlock > 1, this->Keeps ? &this->Reprojection : nullptr, this->KeepsStill },
+  return this->Smoothing.Run({ input.Frame, input.Geometry, this->FindPartAngle(input),
+                               this->Visible, this->Step > 1 && !this->First,
+                               this->Keeps ? &this->Reprojection : nullptr, this->KeepsStill },
     this->Irradiance,
     [this](const vtkIndirectProgram& program)
     {
@@ -437,9 +465,9 @@ bool vtkIndirectSkyGather::SumStrong(const Input& input)
   return this->StrongKernel.Run(input.Frame.Window, this->Irradiance,
     [&](const vtkIndirectProgram& program)
     {
-      this->Activate(input, &this->Strong, program);
+      this->Activate(input, &this->GetStrong(), program);
       // There are at most 32 strong directions.
-      this->SetBlock(input, program, this->Strong, terms, 0, SumBlock);
+      this->SetBlock(input, program, this->GetStrong(), terms, 0, SumBlock);
     });
 }
 
@@ -509,7 +537,10 @@ void vtkIndirectSkyGather::AddToReport(vtkIndirectReport& report) const
 void vtkIndirectSkyGather::ReleaseOwn(vtkWindow* window)
 {
   this->OpenSkyIsThere = this->OpenColorsAreThere = false;
-  this->Strong.Release(window);
+  if (!this->First)
+  {
+    this->Strong.Release(window);
+  }
   this->Others.Release(window);
   this->Directions.Forget();
 }

@@ -22,6 +22,9 @@
 // A direction with much of the light, such as a sun's, has a finer map and filtered edges of its
 // shadows, at every pixel.
 //
+// The sky of a finer picture has more directions than maps fit into memory: each batch draws and
+// sums some of them, and the last one makes the sum irradiance.
+//
 // Limits: shadows between those of the directions are lost, as are surfaces finer than a tile's
 // texel (too dark in relief, too bright at contacts).
 #pragma once
@@ -44,7 +47,23 @@ struct vtkIndirectFrame;
 class vtkIndirectSkyGather : public vtkIndirectFrameLight
 {
 public:
-  vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps);
+  /**
+   * first: null, or the sky of a picture that this one, summed in batches, is finer than. Its
+   * estimate is REFINING, and without light, but for the last batch.
+   */
+  vtkIndirectSkyGather(vtkIndirectResource* owner, vtkIndirectDepthMaps& maps,
+    const vtkIndirectSkyGather* first = nullptr);
+
+  /**
+   * Sets how a finer sky is summed, before its first batch: directions of a batch, texels along an
+   * edge of a map, and the edge of the blocks of pixels that share directions.
+   */
+  void SetBatches(int directions, int texels, int step);
+  /**
+   * Returns the median of the shares of the sky that pixels see of which some is seen; 1 if a still
+   * frame has not found them.
+   */
+  double FindMedianShare() const;
 
   void AppendTo(vtkIndirectKey& key, const Input& input) const override;
   /**
@@ -68,18 +87,31 @@ private:
 
   using Terms = vtkIndirectSkyMaps::Terms;
 
+  // Largest number of directions that a pixel without neighbours on its surface looks up by itself;
+  // further directions are skipped.
+  static constexpr int OwnBlock = 64;
+
   void UpdateDirections(const Input& input);
+  void UpdateFiner(const Input& input);
+  const vtkIndirectSkyMaps& GetStrong() const
+  {
+    return this->First ? this->First->Strong : this->Strong;
+  }
   void ChooseSummed();
   Terms MakeTerms(const std::vector<Summand>& summands, bool strong) const;
+  Terms MakeBatch(const vtkIndirectLightBatch& batch) const;
+  Terms MakeOwnBatch(const vtkIndirectLightBatch& batch) const;
   void SetBlock(const Input& input, const vtkIndirectProgram& program,
     const vtkIndirectSkyMaps& maps, const Terms& terms, size_t first, size_t size);
   bool UpdateOpenSky(const Input& input);
+  bool Resize(const Input& input);
   bool SumAll(const Input& input);
+  bool AddBatch(const Input& input);
   std::string GetDefinitions(int block, int step) const;
   bool MapsHaveChanged() const;
   void Activate(
     const Input& input, const vtkIndirectSkyMaps* maps, const vtkIndirectProgram& program);
-  bool SumOthers(const Input& input);
+  bool SumOthers(const Input& input, Terms terms);
   bool FilterRows(const Input& input);
   bool FilterColumns(const Input& input);
   double FindPartAngle(const Input& input) const;
@@ -87,6 +119,7 @@ private:
   bool SumStrong(const Input& input);
   bool SumOpen(const Input& input);
 
+  const vtkIndirectSkyGather* const First;
   vtkIndirectTarget Irradiance;
   vtkIndirectTarget Sums[2]; // sums of pixels' own directions; of still and moving frames
   vtkIndirectTarget Rows;    // sums over neighbours in the row
@@ -119,5 +152,7 @@ private:
   bool Visible = false;
   bool Keeps = false;      // the shares of a moving frame are kept for the next frame
   bool KeepsStill = false; // those of a still frame are
-  int Step = 1;            // edge, in the last frame, of the blocks of pixels that share directions
+  int Step = 1;            // edge of the blocks of pixels that share directions, in the last frame
+  int DirectionsOfBatch = 64;
+  int TexelsOfBatch = 256;
 };

@@ -30,6 +30,7 @@ public:
 
   /** Sets the directions that have places in the atlas. */
   void SetDirections(std::vector<glm::dvec3> directions);
+  const std::vector<glm::dvec3>& GetDirections() const { return this->Directions; }
   /** Fits all maps to the frame, if they are not fitted to the same scene and view already. */
   void Fit(const vtkIndirectFrame& frame);
   /** Sets the numbers of the directions whose maps are drawn; until then all are. */

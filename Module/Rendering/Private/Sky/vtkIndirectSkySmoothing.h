@@ -37,6 +37,7 @@ public:
   bool Resize(const vtkIndirectFrame& frame, const vtkIndirectTarget& depth);
   /** Target of the shares, which the caller fills before Run; unless they are kept. */
   vtkIndirectTarget& GetShares() { return this->Shares[0]; }
+  const vtkIndirectTarget& GetShares() const { return this->Shares[0]; }
   /** Writes irradiance; setLast sets the uniforms that turn a share into it. */
   bool Run(const Input& input, vtkIndirectTarget& irradiance, const SetUniforms& setLast);
 
