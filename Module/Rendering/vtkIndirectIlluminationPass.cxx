@@ -311,6 +311,7 @@ void vtkIndirectIlluminationPass::Render(const vtkRenderState* s)
   request.Circumstances.OffScreen = window->GetOffScreenRendering() != 0;
   request.Circumstances.IdleFrames =
     this->Settings.IdleFrames && vtkIndirectIdleFrames::CanFollow(window);
+  request.Circumstances.IsIdleFrame = in.Idle.IsOwnFrame();
   request.Circumstances.OtherAntialiasing =
     vtkIndirectRendererWork::FindAntialiasing(s, this->Settings.RemainingGeometry);
   if (in.Delegate.IsRefused(this->DelegatePass))

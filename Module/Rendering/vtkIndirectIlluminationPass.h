@@ -312,11 +312,12 @@ public:
   /**
    * Number of times, 0 to 3, that a still picture is summed anew of four times as many virtual
    * lights, and directions of the sky: of 2048, 8192 and 32768. While nothing changes, each frame
-   * draws the depth maps of 64 of each and sums their light; when all of them are there, the finer picture takes the
-   * place of the one before, on a screen within eight frames. A picture off screen, at an update
-   * rate of 0.001 or less, is refined at once. Render while the report's batches_left is above 0.
-   * The report's estimated_error is that of the refined picture; with an ErrorTolerance refinement
-   * ends when it is met.
+   * draws the depth maps of 64 of each and sums their light, a frame of IdleFrames as many as there
+   * is time for; when all of them are there, the finer picture takes the place of the one before,
+   * on a screen within eight frames. A picture off screen, at an update rate of 0.001 or less, is
+   * refined at once. Render while the report's batches_left is above 0. The report's
+   * estimated_error is that of the refined picture; with an ErrorTolerance refinement ends when it
+   * is met.
    * Default -1, automatic: 2 on a screen, where IdleFrames draw them; 3 with a TimeBudget; else 0.
    * This is for vtkMultiresolutionSplattingPass, the default estimator, and for lights of maps; the
    * report names under left_out what is not refined.

@@ -28,6 +28,8 @@ public:
    * timer can be had, and, after a frame of the timer, if that frame has done something.
    */
   void EndFrame(vtkRenderWindow* window, long long left);
+  /** Returns true if the timer draws the frame. */
+  bool IsOwnFrame() const { return this->IsOwn; }
   /** Lets timers that are still to fire draw nothing. */
   void Stop();
 

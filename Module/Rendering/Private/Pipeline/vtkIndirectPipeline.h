@@ -153,6 +153,7 @@ private:
   }
   void Refine(const vtkIndirectFrameLight::Input& input);
   bool AddBatch();
+  bool HasTime() const;
   bool RefinesSky() const;
   bool DrawMapsOfBatch();
   bool SumOpening();

@@ -167,6 +167,7 @@ void vtkIndirectPlan::FindRefinements(const vtkIndirectSettings& settings,
   this->Refinements = why.empty() ? asked : 0;
   this->RefinementSeconds = why.empty() ? settings.TimeBudget : 0.0;
   this->RefinementFades = seen;
+  this->AddsBatches = circumstances.IsIdleFrame;
   if (!why.empty() && (!automatic || settings.TimeBudget > 0.0))
   {
     this->LeftOut.emplace_back("refinement of the still picture", why);

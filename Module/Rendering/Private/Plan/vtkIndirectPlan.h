@@ -93,6 +93,7 @@ struct vtkIndirectCircumstances
   bool OffScreen = false;
   /** The window's interactor draws further frames of a still picture. */
   bool IdleFrames = false;
+  bool IsIdleFrame = false; // a timer of the interactor draws this frame
 };
 
 struct vtkIndirectPlan
@@ -185,6 +186,7 @@ struct vtkIndirectPlan
   int Refinements = 0;            // of a still picture, see vtkIndirectIlluminationPass
   double RefinementSeconds = 0.0; // 0: no limit
   bool RefinementFades = false;   // frames show how a finer picture takes the place of one
+  bool AddsBatches = false;       // a frame adds batches as long as there is time and no input
   bool FinishesAtOnce = false;    // a picture that goes to a file is whole
   bool WaitsForMaps = false;      // sums begin when no depth map is missing
   int TilesPerFrame = 1 << 30; // largest number of depth maps of virtual lights and of the sky to
