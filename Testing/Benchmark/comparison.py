@@ -138,6 +138,7 @@ class Run(compare.Run):
             comparison.stored,
             comparison.size,
             with_errors=comparison.with_errors,
+            makes=True,
         )
         self.comparison = comparison
         self.missing |= comparison.left_out

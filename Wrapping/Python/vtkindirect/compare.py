@@ -63,6 +63,8 @@ SSAO = "ssao"
 PROGRAM = "Testing/Benchmark/comparison.py"
 TIMES_ALONE = "none"
 """Value of --reference for rows of times, without errors."""
+REFINED = "refined"
+"""Value of --reference for references that the default method makes."""
 
 Result = dict[str, Any]
 
@@ -140,10 +142,12 @@ class Run:
         size: tuple[int, int] | None = None,
         *,
         with_errors: bool = True,
+        makes: bool = False,
     ) -> None:
         """`stored` is a file with references, a directory of one file a scene, or None.
 
         `with_errors`: whether there are errors beside the times; R1 takes long in large images.
+        `makes`: the default method makes references that are not stored.
         """
         self.scene = scene
         self.count = count
@@ -152,7 +156,11 @@ class Run:
             stored = stored / f"{scene.name}.exr"
         self.stored = stored
         self.size = size or references.natural_size(stored) or scene.size
-        self.missing = references.stored_images(stored, self.size, references.names_of(scene))[1]
+        self.makes = makes and with_errors and (stored is None or not stored.exists())
+        names = references.names_of(scene)
+        self.missing = (
+            {} if self.makes else references.stored_images(stored, self.size, names)[1]
+        )
         if not self.with_errors:
             self.missing = {"errors": "times alone were asked for"}
         elif not references.has_r1(scene):
@@ -182,7 +190,9 @@ class Run:
             return References(np.zeros((0, 0), dtype=bool))
         if self._references is None:
             try:
-                self._references = references.collect(self.scene, self.size, self.stored)
+                self._references = references.collect(
+                    self.scene, self.size, self.stored, makes=self.makes, step=self._show
+                )
             except Exception as error:
                 self._references = error
         if isinstance(self._references, Exception):
@@ -195,6 +205,8 @@ class Run:
         for name, errors in self.references().errors(seen).items():
             values = errors.as_dict()
             result.update({f"{metric}_{name.lower()}": values[metric] for metric in METRICS})
+        for name, error in self.references().estimated.items():
+            result[f"estimated_error_{name.lower()}"] = error
         result["masked_share"] = self.references().masked_share()
         return result
 
@@ -300,7 +312,8 @@ def add_arguments(
         "--reference",
         metavar="PATH",
         help="an .exr file with the layers R2 and R3, S1 and S3, A1 and A3, or the directory of SCENE.exr "
-        f"(default: beside the scenes, if there); '{TIMES_ALONE}': times alone, without errors",
+        f"(default: beside the scenes, if there, else '{REFINED}'); '{REFINED}': pictures of the default "
+        f"method, left alone; '{TIMES_ALONE}': times alone, without errors",
     )
     parser.add_argument(
         "-o", "--output", default="report", metavar="DIRECTORY", help="(default: report)"
@@ -362,7 +375,7 @@ def wants_errors(arguments: argparse.Namespace) -> bool:
 
 
 def _stored(arguments: argparse.Namespace) -> Path | None:
-    if not wants_errors(arguments):
+    if arguments.reference in (TIMES_ALONE, REFINED):
         return None
     if arguments.reference:
         return _given(Path(arguments.reference), len(arguments.scenes))
@@ -417,6 +430,19 @@ def text_table(results: list[Result]) -> str:
     )
 
 
+def _estimated(results: list[Result]) -> dict[str, str]:
+    """Return what is estimated of the errors of references that are made, by scene."""
+    start = "estimated_error_"
+    return {
+        row["scene"]: "RMS error over the mean about "
+        + ", ".join(
+            f"{row[name]:.2g} of {name[len(start):].upper()}" for name in row if name.startswith(start)
+        )
+        for row in results
+        if any(name.startswith(start) for name in row)
+    }
+
+
 def say(results: list[Result], written: list[Path]) -> None:
     """Print the table, its files, what is left out and why, and which rows failed."""
     console.say(text_table(results))
@@ -428,6 +454,8 @@ def say(results: list[Result], written: list[Path]) -> None:
             missing.setdefault(f"left out: {name}, because {why}", []).append(result["scene"])
     for sentence, scenes in missing.items():
         console.say(f"{sentence} ({', '.join(dict.fromkeys(scenes))})")
+    for scene, errors in _estimated(results).items():
+        console.say(f"{scene}: references are refined pictures of the default method, {errors}")
     for result in results:
         if result["error"]:
             console.say(f"failed: {result['scene']}, {result['label']}: {result['error']}")
@@ -463,6 +491,7 @@ def run(arguments: argparse.Namespace, load: Callable[[str], Scene]) -> None:
                 stored,
                 arguments.size,
                 with_errors=wants_errors(arguments),
+                makes=True,
             )
             if what.flicker:
                 one.missing["flicker"] = f"{PROGRAM} of the project's sources measures it"

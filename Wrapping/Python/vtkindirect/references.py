@@ -11,6 +11,9 @@
   environment or area lights, because R1, R2 and R3 know VTK's lights only and an image holds all
   light.
 
+Where none is stored, the default method itself makes them (`refined`): a picture left alone, of 32,768
+virtual lights, whose error is estimated.
+
 A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then
 the centres of blocks of pixels, and the very same points are compared. R1 has the size of the stored
 references.
@@ -26,7 +29,7 @@ from pathlib import Path
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from vtkindirect import images, messages, methods, metrics, wrapped
+from vtkindirect import frames, images, messages, methods, metrics, wrapped
 from vtkindirect.errors import RenderError, UsageError
 from vtkindirect.scene import Scene
 
@@ -44,6 +47,10 @@ MAP_TEXELS = 256
 """Edge of the maps that make R1; at 128 its own relMSE is below 2e-5."""
 FACTOR = 3
 """Width of an image over that of its stored reference, if no size is given."""
+REFINEMENTS = 3
+"""Refinements of the pictures that are references where none is stored."""
+STEPWISE_RATE = 0.01
+"""Update rate of a window off screen with which each frame does a part of the work."""
 
 
 @dataclass
@@ -57,6 +64,8 @@ class References:
     """The reason why a reference is not there, by its name."""
     surfaces: np.ndarray | None = None
     """All pixels with a surface, which R1 counts: it comes from the very same pixels."""
+    estimated: dict[str, float] = field(default_factory=dict)
+    """The estimated RMS error over the mean of references that the default method has made."""
 
     def masked_share(self) -> float | None:
         """Share of the pixels with a surface that are no receivers: silhouettes and creases."""
@@ -216,12 +225,81 @@ def stored_images(
     return found, missing
 
 
-def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> References:
+def _refined_picture(scene: Scene, bounces: int, step: frames.Step) -> dict[str, np.ndarray]:
+    """Render a refined picture; returns its buffers, and its estimated error as ``error``."""
+    window = scene.render_window
+    rate = window.GetDesiredUpdateRate()
+    window.SetDesiredUpdateRate(STEPWISE_RATE)
+    indirect = methods.enable(
+        scene.renderer,
+        "auto",
+        lighting="scene",
+        NumberOfBounces=bounces,
+        NumberOfRefinements=REFINEMENTS,
+    )
+    try:
+        with messages.capture() as said:
+            window.Render()
+            for _ in frames.fill([indirect], step):
+                window.Render()
+        if said.errors:
+            raise RenderError(f"the refined picture failed: {said.first_error()}")
+        report = methods.report(indirect)
+        if report["estimated_error"] is None:
+            why = [entry["why"] for entry in report["left_out"] if "refinement" in entry["what"]]
+            raise RenderError(f"no picture can be refined: {'; '.join(why)}")
+        seen = {
+            name: images.copy_buffer(scene.renderer, name)
+            for name in {ALL_LIGHT, *map(buffer_of, names_of(scene))}
+        }
+        return {**seen, "error": np.asarray(report["estimated_error"])}
+    finally:
+        methods.disable(scene.renderer)
+        window.SetDesiredUpdateRate(rate)
+
+
+def refined(
+    scene: Scene, step: frames.Step = frames.no_step
+) -> tuple[dict[str, np.ndarray], dict[str, float]]:
+    """References of a scene in its window, made by the default method, and their estimated errors.
+
+    They have a third of the window's size, whose pixels' centres are centres of the window's pixels, or
+    the whole where it cannot be divided by three. `step` is told of each frame.
+    """
+    width, height = scene.render_window.GetSize()
+    by = FACTOR if width % FACTOR == 0 and height % FACTOR == 0 else 1
+    names = names_of(scene)
+    scene.render_window.SetSize(width // by, height // by)
+    try:
+        found, errors = {}, {}
+        for bounces in (1, 0) if "R2" in names else (0,):
+            picture = _refined_picture(scene, bounces, step)
+            for name in names:
+                if (name == "R2") == (bounces == 1):
+                    found[name] = picture[buffer_of(name)].astype(np.float64)
+                    errors[name] = float(picture["error"])
+        return found, errors
+    finally:
+        scene.render_window.SetSize(width, height)
+
+
+def collect(
+    scene: Scene,
+    size: tuple[int, int],
+    stored: Path | None,
+    *,
+    makes: bool = False,
+    step: frames.Step = frames.no_step,
+) -> References:
     """All references of a scene at an image size of (width, height) pixels.
 
-    `stored` is the EXR file with the stored ones, or None.
+    `stored` is the EXR file with the stored ones, or None. `makes`: the default method makes them where
+    there is no such file; `step` is told of each of its frames.
     """
     images_found, missing = stored_images(stored, size, names_of(scene))
+    estimated: dict[str, float] = {}
+    if makes and (stored is None or not stored.exists()):
+        (images_found, estimated), missing = refined(scene, step), {}
     first = {}
     if has_r1(scene) and wrapped.has(wrapped.ORACLE):
         # Beside stored references R1 needs no more pixels than these.
@@ -229,4 +307,4 @@ def collect(scene: Scene, size: tuple[int, int], stored: Path | None) -> Referen
         first["R1"] = r1(scene, size[1] // max(heights) if heights else 1)
     receivers, normal = eye(scene)
     surfaces = np.linalg.norm(normal, axis=-1) > 0.5
-    return References(receivers, {**first, **images_found}, missing, surfaces)
+    return References(receivers, {**first, **images_found}, missing, surfaces, estimated)
