@@ -168,7 +168,7 @@ VTK_INDIRECT_TEST(SkyBouncesOfASun)
   {
     Scene scene(64, 48);
     AddRoom(scene);
-    scene.Pass->SetReflectiveShadowMapResolution(64);
+    scene.Pass->SetReflectiveShadowMapResolution(128);
     vtkNew<vtkEnvironmentLight> environment;
     environment->SetImage(image);
     if (sky)

@@ -128,6 +128,36 @@ VTK_INDIRECT_TEST(ClustersKeepTheLight)
   CheckEqual("senders of one map of three", static_cast<double>(one.size()), 1600);
 }
 
+// Lights of a few texels each, of maps whose texels lie between those of the other maps, cover the
+// surface once together. A texel's area for each would blur their light, and darken corners.
+VTK_INDIRECT_TEST(ClustersCoverTheSurfaceOnce)
+{
+  constexpr int maps = 16;
+  constexpr int edge = 10;
+  std::vector<Clusters::Sender> senders;
+  AddSquare(senders, edge, maps, 0.0, 1.0, glm::vec3(0.5f));
+  for (Clusters::Sender& sender : senders)
+  {
+    const int part = (7 * sender.Map) % maps;
+    sender.Position += glm::vec3((part % 4 - 1.5f), (part / 4 - 1.5f), 0.0f) / (4.0f * edge);
+  }
+  for (const int count : { 64, 256, 800 })
+  {
+    Clusters clusters;
+    clusters.SetSenders(senders);
+    double area = 0.0;
+    const Clusters::LightTree tree =
+      clusters.MakeLights(std::vector<glm::dvec3>(maps, glm::dvec3(1.0)), count, 0.0);
+    for (const Clusters::Light& light : tree.Lights)
+    {
+      area += std::min(light.Area, light.Stretched);
+    }
+    // Divisions leave oblong clusters, and parts of texels at the rim.
+    CheckRelative("area of " + std::to_string(tree.Lights.size()) + " lights", area, 1.0, 0.06,
+      "found: 1.00 to 1.04");
+  }
+}
+
 VTK_INDIRECT_TEST(ClustersKeepSidesApart)
 {
   // A sheet, lit on both sides.

@@ -59,6 +59,8 @@ public:
     vtkSurfaceCapturePass* capture, const vtkIndirectKey& source,
     const std::function<vtkIndirectEmitters::List(bool inHaste)>& makeEmitters);
   void ReleaseSenderMaps(vtkWindow* window) { this->Senders->Release(window); }
+  /** See vtkIndirectSenderSampler::SetFineness. */
+  void SetFinenessOfSenders(double fineness) { this->Senders->SetFineness(fineness); }
 
   /**
    * Chooses the samplers of the frame; own: the sampler of its lights, null if the estimator needs

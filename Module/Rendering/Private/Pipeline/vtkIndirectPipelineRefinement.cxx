@@ -10,6 +10,8 @@
 #include "Sums/vtkIndirectSum.h"
 #include "vtkOpenGLRenderWindow.h"
 
+#include <cmath>
+
 namespace
 {
 // A refined picture's error is so many times its change from the picture before it, by the table of
@@ -173,7 +175,11 @@ bool vtkIndirectPipeline::AddBatch()
   vtkIndirectFrameLight::Input input = this->MakeInput(this->FinerBounce.GetVisibility());
   input.Batch = this->Schedule.GetBatch();
   vtkVirtualLightSampler* const sampler = this->FinerSamplers.Default;
-  sampler->SetNumberOfLights(this->Schedule.GetNumberOfLights());
+  const int lights = this->Schedule.GetNumberOfLights();
+  sampler->SetNumberOfLights(lights);
+  // As many texels for each light as the first picture has.
+  this->FinerSamplers.SetFinenessOfSenders(
+    std::sqrt(static_cast<double>(lights) / vtkIndirectRefinementSchedule::LightsOfFirst));
   this->FinerSamplers.Choose(this->Frame, this->Plan,
     vtkIndirectSum::Get(this->Estimator)
       .ChooseSampler(vtkIndirectSampler::Get(sampler), this->Plan));
@@ -210,7 +216,10 @@ bool vtkIndirectPipeline::AddBatch()
   if (done && this->Schedule.EndBatch(vtkIndirectRefinementSchedule::ReadClock()))
   {
     this->Accumulation.Finish();
-    part.Result.Error = this->Accumulation.FindChange(this->GetRefined()) *
+    const Part& area = this->Parts[2];
+    part.Result.Error =
+      this->Accumulation.FindChange(this->GetRefined(),
+        area.IsThere ? area.Result.Contributions : vtkIndirectAccumulation::Contributions()) *
       (this->Schedule.GetRefinements() == 1 ? ErrorOverFirstChange : ErrorOverChange);
     if (this->Plan.ErrorToleranceIsSet && part.Result.Error <= this->Plan.ErrorTolerance)
     {

@@ -68,8 +68,8 @@ public:
     const vtkIndirectLightMaps& Maps;          // without maps where the frame has none
     const vtkIndirectGeometryBuffer& Geometry; // surfaces that the eye sees
     double ErrorTolerance = 0.02;              // of the irradiance, over its mean
-    int NumberOfBounces = 1;     // wanted number, for samplers that find several bounces
-    bool Interactive = false;    // the window's rate is a frame a second or more
+    int NumberOfBounces = 1;       // wanted number, for samplers that find several bounces
+    bool Interactive = false;      // the window's rate is a frame a second or more
     vtkIndirectLightBatch Batch{}; // the tables hold these lights alone
     /** The sky and area lights, which light surfaces besides the frame's lights. */
     const std::vector<vtkIndirectLight>* Emitters = nullptr;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <queue>
 #include <utility>
 
@@ -293,7 +294,7 @@ std::vector<std::vector<size_t>> vtkIndirectSenderClusters::FindGroups(int count
 
 //------------------------------------------------------------------------------
 vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
-  const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const
+  const Cluster& cluster, const std::vector<glm::dvec3>& strengths, double overlap) const
 {
   Light light;
   light.Begin = cluster.Begin;
@@ -306,9 +307,10 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
   glm::dvec3 normal(0.0);
   const glm::dvec3 place(cluster.Mean[0], cluster.Mean[1], cluster.Mean[2]);
   // Sums of sent light, times the following quantities.
-  double turned = 0.0;    // normals by places
-  double within = 0.0;    // areas of senders
-  double smoothing = 0.0; // contact softening of senders
+  double turned = 0.0;     // normals by places
+  double within = 0.0;     // areas of senders
+  double withinMaps = 0.0; // areas of senders that are the maps' texels
+  double smoothing = 0.0;  // contact softening of senders
   for (size_t i = cluster.Begin; i < cluster.End; ++i)
   {
     const Sender& sender = this->Senders[this->Entries[i].Sender];
@@ -319,6 +321,7 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     normal += all * glm::dvec3(sender.Normal);
     turned += all * glm::dot(glm::dvec3(sender.Normal), glm::dvec3(sender.Position) - place);
     within += all * static_cast<double>(sender.Area);
+    withinMaps += sender.Cover < 0 ? all * static_cast<double>(sender.Area) : 0.0;
     smoothing += all * static_cast<double>(sender.Smoothing);
     const size_t cover = sender.Cover < 0 ? map : static_cast<size_t>(sender.Cover);
     areas[cover] += sender.Area;
@@ -333,6 +336,10 @@ vtkIndirectSenderClusters::Light vtkIndirectSenderClusters::MakeLight(
     total += sums[cover];
     area += sums[cover] * areas[cover];
   }
+  const double ofMaps = std::accumulate(areas.begin(), areas.end() - 1, 0.0);
+  const double sentByMaps = std::accumulate(sums.begin(), sums.end() - 1, 0.0);
+  area = std::min(area, sentByMaps * ofMaps / overlap + sums.back() * areas.back());
+  within -= (1.0 - 1.0 / overlap) * withinMaps;
   const Sender& middle = this->Senders[cluster.Middle];
   light.Position = FindPlace(middle, place);
   // Normals that cancel out are replaced by that of the middle.
@@ -442,8 +449,8 @@ void vtkIndirectSenderClusters::AddLobe(
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectSenderClusters::MakeBranches(
-  size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all)
+void vtkIndirectSenderClusters::MakeBranches(size_t top, const std::vector<glm::dvec3>& strengths,
+  double limit, double overlap, std::vector<Light>& all)
 {
   constexpr size_t perNode = vtkIndirectKernels::VTKI_BRANCHES_PER_NODE;
   const size_t first = top * vtkIndirectKernels::VTKI_BRANCHES;
@@ -452,7 +459,7 @@ void vtkIndirectSenderClusters::MakeBranches(
     this->Divide(cluster.Begin, cluster.End, { perNode, perNode, perNode });
   for (size_t i = 0; i < children.size(); ++i)
   {
-    Light child = this->MakeLight(children[i], strengths);
+    Light child = this->MakeLight(children[i], strengths, overlap);
     child.ChildDistance = FindChildDistance(child, limit);
     MakePatch(child);
     const size_t family = first + i * (perNode + 1);
@@ -464,7 +471,7 @@ void vtkIndirectSenderClusters::MakeBranches(
       double softening = 0.0;
       for (size_t k = 0; k < leaves.size(); ++k)
       {
-        Light leaf = this->MakeLight(leaves[k], strengths);
+        Light leaf = this->MakeLight(leaves[k], strengths, overlap);
         MakePatch(leaf);
         softening += Sum(leaf.DensityArea) * leaf.ContactSoftening;
         all[family + 1 + k] = leaf;
@@ -498,9 +505,10 @@ vtkIndirectSenderClusters::LightTree vtkIndirectSenderClusters::MakeLights(
   lights.Lights.reserve(this->Clusters.size());
   bool divided = false;
   double flux = 0.0;
+  const std::vector<double> overlaps = this->FindOverlaps(strengths);
   for (const Cluster& cluster : this->Clusters)
   {
-    lights.Lights.push_back(this->MakeLight(cluster, strengths));
+    lights.Lights.push_back(this->MakeLight(cluster, strengths, overlaps[lights.Lights.size()]));
     flux += Sum(lights.Lights.back().DensityArea) / 3.0;
     divided = divided || cluster.End - cluster.Begin > 1;
   }
@@ -528,7 +536,8 @@ vtkIndirectSenderClusters::LightTree vtkIndirectSenderClusters::MakeLights(
         {
           if (lights.Lights[static_cast<size_t>(i)].ChildDistance > 0.0)
           {
-            this->MakeBranches(static_cast<size_t>(i), strengths, limit, lights.Branches);
+            this->MakeBranches(static_cast<size_t>(i), strengths, limit,
+              overlaps[static_cast<size_t>(i)], lights.Branches);
           }
         }
       });

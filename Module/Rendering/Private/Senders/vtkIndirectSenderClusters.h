@@ -189,13 +189,16 @@ private:
   bool AreNarrow(const std::vector<Cluster>& clusters, const std::vector<size_t>& asked) const;
   std::vector<Cluster> Divide(size_t begin, size_t end, Numbers numbers);
   void DivideAll(const std::vector<double>& weights, const Numbers& numbers, bool divides);
-  Light MakeLight(const Cluster& cluster, const std::vector<glm::dvec3>& strengths) const;
+  double FindOverlap(size_t begin, size_t end, const std::vector<glm::dvec3>& strengths) const;
+  std::vector<double> FindOverlaps(const std::vector<glm::dvec3>& strengths) const;
+  Light MakeLight(
+    const Cluster& cluster, const std::vector<glm::dvec3>& strengths, double overlap) const;
   void CloseBowl(
     const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
   void AddLobe(
     const Cluster& cluster, const std::vector<glm::dvec3>& strengths, Light& light) const;
-  void MakeBranches(
-    size_t top, const std::vector<glm::dvec3>& strengths, double limit, std::vector<Light>& all);
+  void MakeBranches(size_t top, const std::vector<glm::dvec3>& strengths, double limit,
+    double overlap, std::vector<Light>& all);
 
   std::vector<Sender> Senders;
   vtkIndirectSeenBox Seen;

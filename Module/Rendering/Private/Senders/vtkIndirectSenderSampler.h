@@ -30,6 +30,11 @@ public:
    */
   void Follow(const vtkIndirectSamplerAbilities& sampler, bool steady);
 
+  /**
+   * Sets the texels along an edge of the maps over those of a moving frame; the maps may have
+   * fewer. 0: as the scene allows.
+   */
+  void SetFineness(double fineness) { this->Fineness = fineness; }
   /** Finds out whether the scene has changed. Must be called first in each frame. */
   void BeginFrame(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan);
   /** Returns true if the scene changes from frame to frame, so that few maps are better than many.
@@ -59,6 +64,7 @@ protected:
 
 private:
   bool UpdateScene(const vtkIndirectFrame& frame);
+  int FindTexels(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan) const;
   bool ReadSenders(const Input& input);
   bool MakeSteadyLights(const Input& input, bool anew);
   std::vector<glm::dvec3> FindStrengths() const;
@@ -73,9 +79,12 @@ private:
   std::vector<vtkIndirectSenderClusters::Sender> FromMaps; // kept for steady lights
   size_t FurtherTime = 0;
   int NumberOfLights = 256;
-  int MostLights = 0;   // an automatic number of steady lights may grow up to this one
-  int Narrow = 0;       // the number up to which the frame's lights may grow
-  bool Divides = false; // true if the lights have branches
+  double Fineness = 0.0;
+  int TexelsOfMap = 0;   // along an edge
+  int TexelsOfDrawn = 0; // of the maps that are there
+  int MostLights = 0;    // an automatic number of steady lights may grow up to this one
+  int Narrow = 0;        // the number up to which the frame's lights may grow
+  bool Divides = false;  // true if the lights have branches
 
   vtkIndirectEmitters::List Emitters; // in the order of their maps; dark ones have lost their light
   vtkIndirectEmitters::List Given;    // emitters of the frame
