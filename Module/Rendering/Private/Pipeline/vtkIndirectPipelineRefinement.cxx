@@ -25,7 +25,7 @@ constexpr double ErrorOverChange = 1.0;
 constexpr int SkyOfBatch = 64;
 constexpr int FinerTexels = 2;
 // Directions of a batch where an opening needs many, and the edge of the blocks of pixels that
-// share them: a pixel asks about as many as it has asked before.
+// share them: a pixel asks a quarter.
 constexpr int SkyOfOpening = 256;
 constexpr int BlockOfOpening = 2;
 }
