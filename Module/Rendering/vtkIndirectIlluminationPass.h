@@ -319,8 +319,8 @@ public:
    * estimated_error is that of the refined picture; with an ErrorTolerance refinement ends when it
    * is met.
    * Default -1, automatic: 2 on a screen, where IdleFrames draw them; 3 with a TimeBudget; else 0.
-   * This is for vtkMultiresolutionSplattingPass, the default estimator, and for lights of maps; the
-   * report names under left_out what is not refined.
+   * This is for vtkMultiresolutionSplattingPass, the default estimator, and for lights of maps; in
+   * other pictures the sky alone is refined. The report names under left_out what is not refined.
    */
   vtkIndirectClampMacro(NumberOfRefinements, int, -1, 3);
   ///@}

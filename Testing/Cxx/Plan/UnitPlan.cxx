@@ -314,6 +314,11 @@ VTK_INDIRECT_TEST(PlanRefinements)
   settings.TimeBudget = 0.0;
   circumstances.OffScreen = false;
   Check("but not where nobody asked", !saysWhy());
+  circumstances.Environment = true;
+  circumstances.EnvironmentIrradiance = 3.0;
+  const vtkIndirectPlan sky = vtkIndirectPlan::Make(frame, settings, estimator, circumstances);
+  CheckEqual("the sky of the same estimator", sky.Refinements, 2);
+  Check("without its lights", !sky.RefinesLights);
 }
 
 // Number of maps that a frame draws.

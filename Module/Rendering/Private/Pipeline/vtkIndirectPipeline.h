@@ -153,6 +153,9 @@ private:
   }
   void Refine(const vtkIndirectFrameLight::Input& input);
   bool AddBatch();
+  bool UpdateLightsOfBatch(const vtkIndirectFrameLight::Input& input);
+  bool SumBatch(const vtkIndirectFrameLight::Input& input);
+  double EstimateError() const;
   bool HasTime() const;
   bool RefinesSky() const;
   bool DrawMapsOfBatch();

@@ -148,7 +148,8 @@ bool vtkIndirectPipeline::SumOpening()
     light = done ? this->FinerSky.MakeEstimate(input) : vtkIndirectEstimate();
     done = light.State != vtkIndirectEstimate::FAILED;
   }
-  done = done && this->Accumulation.Keep(this->Frame, light.Contributions) &&
+  done = done && this->SkyMaps.TakeShares(input, this->FinerSky) &&
+    this->Accumulation.Keep(this->Frame, light.Contributions) &&
     this->Accumulation.Show(this->Frame, this->Parts[1].Result.Contributions, 1.0);
   this->ReleaseRefinement();
   return done;
@@ -158,7 +159,11 @@ bool vtkIndirectPipeline::SumOpening()
 // Returns the picture's contributions that are refined: indirect light, then light from the sky.
 std::vector<vtkIndirectContribution> vtkIndirectPipeline::GetRefined() const
 {
-  std::vector<vtkIndirectContribution> refined = this->Parts[0].Result.Contributions;
+  std::vector<vtkIndirectContribution> refined;
+  if (this->Plan.RefinesLights)
+  {
+    refined = this->Parts[0].Result.Contributions;
+  }
   if (this->RefinesSky())
   {
     const std::vector<vtkIndirectContribution>& sky = this->Parts[1].Result.Contributions;
@@ -168,12 +173,10 @@ std::vector<vtkIndirectContribution> vtkIndirectPipeline::GetRefined() const
 }
 
 //------------------------------------------------------------------------------
-// Returns false, after an error, when OpenGL refuses.
-bool vtkIndirectPipeline::AddBatch()
+// Chooses the virtual lights of a batch, and asks for their maps. Returns false, after an error,
+// when OpenGL refuses; so do the following functions.
+bool vtkIndirectPipeline::UpdateLightsOfBatch(const vtkIndirectFrameLight::Input& input)
 {
-  Part& part = this->Parts[0];
-  vtkIndirectFrameLight::Input input = this->MakeInput(this->FinerBounce.GetVisibility());
-  input.Batch = this->Schedule.GetBatch();
   vtkVirtualLightSampler* const sampler = this->FinerSamplers.Default;
   const int lights = this->Schedule.GetNumberOfLights();
   sampler->SetNumberOfLights(lights);
@@ -186,41 +189,77 @@ bool vtkIndirectPipeline::AddBatch()
   this->FinerBounce.SetSources(this->Estimator, sampler);
   const vtkIndirectDarkLight dark(this->Frame);
   this->Capture->Attach(this->Frame);
-  bool done = this->UpdateSenderMaps(this->FinerSamplers);
+  const bool done = this->UpdateSenderMaps(this->FinerSamplers);
   this->Capture->Detach();
-  const bool sky = this->RefinesSky();
-  this->FinerSky.SetBatches(SkyOfBatch, FinerTexels * this->Plan.SkyTileTexels, 1);
-  done = done && this->FinerBounce.Update(input) && (!sky || this->FinerSky.Update(input));
-  done = done && this->DrawMapsOfBatch();
-  // The estimator sums the batch in the picture's images.
-  const bool first = input.Batch.Number == 0;
-  if (first && (this->Schedule.GetRefinements() == 0 || this->Accumulation.GetBytes() == 0))
-  {
-    done = done && this->Accumulation.Keep(this->Frame, this->GetRefined());
-  }
-  const vtkIndirectEstimate batch =
-    done ? this->FinerBounce.MakeEstimate(input) : vtkIndirectEstimate();
-  done = batch.State != vtkIndirectEstimate::FAILED;
+  return done && this->FinerBounce.Update(input);
+}
+
+//------------------------------------------------------------------------------
+// Sums a batch, and adds the sum to those of the batches before.
+bool vtkIndirectPipeline::SumBatch(const vtkIndirectFrameLight::Input& input)
+{
   size_t number = 0;
-  for (const vtkIndirectContribution& light : batch.Contributions)
+  bool done = true;
+  if (this->Plan.RefinesLights)
   {
-    done = done && this->Accumulation.Add(this->Frame, number++, light, first);
+    // The estimator sums the batch in the picture's images.
+    const vtkIndirectEstimate batch = this->FinerBounce.MakeEstimate(input);
+    done = batch.State != vtkIndirectEstimate::FAILED;
+    for (const vtkIndirectContribution& light : batch.Contributions)
+    {
+      done = done && this->Accumulation.Add(this->Frame, number++, light, input.Batch.Number == 0);
+    }
   }
-  if (done && sky)
+  if (done && this->RefinesSky())
   {
     const vtkIndirectEstimate light = this->FinerSky.MakeEstimate(input);
     done = light.State != vtkIndirectEstimate::FAILED &&
       (light.State == vtkIndirectEstimate::REFINING ||
-        this->Accumulation.Add(this->Frame, number, light.Contributions.front(), true));
+        (this->SkyMaps.TakeShares(input, this->FinerSky) &&
+          this->Accumulation.Add(this->Frame, number, light.Contributions.front(), true)));
   }
+  return done;
+}
+
+//------------------------------------------------------------------------------
+// Returns the estimated error of a refinement that is there.
+double vtkIndirectPipeline::EstimateError() const
+{
+  std::vector<vtkIndirectContribution> others;
+  for (const Part& part : this->Parts)
+  {
+    const bool isRefined = &part == &this->Parts[0] ? this->Plan.RefinesLights
+      : &part == &this->Parts[1]                    ? this->RefinesSky()
+                                                    : false;
+    if (part.IsThere && !isRefined)
+    {
+      const auto& lights = part.Result.Contributions;
+      others.insert(others.end(), lights.begin(), lights.end());
+    }
+  }
+  return this->Accumulation.FindChange(this->GetRefined(), others) *
+    (this->Schedule.GetRefinements() == 1 ? ErrorOverFirstChange : ErrorOverChange);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::AddBatch()
+{
+  Part& part = this->Parts[this->Plan.RefinesLights ? 0 : 1];
+  vtkIndirectFrameLight::Input input = this->MakeInput(this->FinerBounce.GetVisibility());
+  input.Batch = this->Schedule.GetBatch();
+  this->FinerSky.SetBatches(SkyOfBatch, FinerTexels * this->Plan.SkyTileTexels, 1);
+  bool done = (!this->Plan.RefinesLights || this->UpdateLightsOfBatch(input)) &&
+    (!this->RefinesSky() || this->FinerSky.Update(input)) && this->DrawMapsOfBatch();
+  if (input.Batch.Number == 0 &&
+    (this->Schedule.GetRefinements() == 0 || this->Accumulation.GetBytes() == 0))
+  {
+    done = done && this->Accumulation.Keep(this->Frame, this->GetRefined());
+  }
+  done = done && this->SumBatch(input);
   if (done && this->Schedule.EndBatch(vtkIndirectRefinementSchedule::ReadClock()))
   {
     this->Accumulation.Finish();
-    const Part& area = this->Parts[2];
-    part.Result.Error =
-      this->Accumulation.FindChange(this->GetRefined(),
-        area.IsThere ? area.Result.Contributions : vtkIndirectAccumulation::Contributions()) *
-      (this->Schedule.GetRefinements() == 1 ? ErrorOverFirstChange : ErrorOverChange);
+    part.Result.Error = this->EstimateError();
     if (this->Plan.ErrorToleranceIsSet && part.Result.Error <= this->Plan.ErrorTolerance)
     {
       this->Schedule.End();
@@ -257,10 +296,13 @@ void vtkIndirectPipeline::AddRefinementToReport(vtkIndirectReport& report) const
   if (lights > 0)
   {
     const int directions = lights / vtkIndirectRefinementSchedule::LightsOfBatch * SkyOfBatch;
-    report.Modelled.emplace_back("refined picture",
-      std::to_string(lights) + " virtual lights" +
-        (this->RefinesSky() ? ", and " + std::to_string(directions) + " directions of the sky"
-                            : ""));
+    std::string what = this->Plan.RefinesLights ? std::to_string(lights) + " virtual lights" : "";
+    if (this->RefinesSky())
+    {
+      what +=
+        (what.empty() ? "" : ", and ") + std::to_string(directions) + " directions of the sky";
+    }
+    report.Modelled.emplace_back("refined picture", what);
   }
 }
 

@@ -64,7 +64,7 @@ struct vtkIndirectEstimateInput
   vtkEnvironmentLight* Environment = nullptr;     // null where the frame has none
   vtkIndirectSkyProjection* Projection = nullptr; // of the environment onto directions
   const std::vector<vtkSmartPointer<vtkAreaLight>>* AreaLights = nullptr;
-  bool EyeMoved = false;       // nothing else has changed since the estimator's last frame
+  bool EyeMoved = false;         // nothing else has changed since the estimator's last frame
   vtkIndirectLightBatch Batch{}; // the lights to sum
 };
 

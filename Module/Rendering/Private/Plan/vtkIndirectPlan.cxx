@@ -164,13 +164,16 @@ void vtkIndirectPlan::FindRefinements(const vtkIndirectSettings& settings,
     : this->OtherSamplers                           ? "passes add lights of their own samplers"
     : this->Visibility != vtkIndirectVisibilityMaps ? "virtual lights have no depth maps"
                                                     : "";
-  this->Refinements = why.empty() ? asked : 0;
-  this->RefinementSeconds = why.empty() ? settings.TimeBudget : 0.0;
+  this->RefinesLights = why.empty();
+  const bool refines = this->RefinesLights || (this->HasSkyMaps() && settings.Caching);
+  this->Refinements = refines ? asked : 0;
+  this->RefinementSeconds = refines ? settings.TimeBudget : 0.0;
   this->RefinementFades = seen;
   this->AddsBatches = circumstances.IsIdleFrame;
   if (!why.empty() && (!automatic || settings.TimeBudget > 0.0))
   {
-    this->LeftOut.emplace_back("refinement of the still picture", why);
+    this->LeftOut.emplace_back(
+      refines ? "refinement of indirect light" : "refinement of the still picture", why);
   }
 }
 

@@ -186,6 +186,7 @@ struct vtkIndirectPlan
   int Refinements = 0;            // of a still picture, see vtkIndirectIlluminationPass
   double RefinementSeconds = 0.0; // 0: no limit
   bool RefinementFades = false;   // frames show how a finer picture takes the place of one
+  bool RefinesLights = false;     // else of the sky alone
   bool AddsBatches = false;       // a frame adds batches as long as there is time and no input
   bool FinishesAtOnce = false;    // a picture that goes to a file is whole
   bool WaitsForMaps = false;      // sums begin when no depth map is missing

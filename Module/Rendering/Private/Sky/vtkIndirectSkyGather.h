@@ -60,6 +60,11 @@ public:
    */
   void SetBatches(int directions, int texels, int step);
   /**
+   * Keeps the shares of a finer sky, whose last batch is summed, for moving frames. Returns false,
+   * after an error, when OpenGL refuses.
+   */
+  bool TakeShares(const Input& input, const vtkIndirectSkyGather& finer);
+  /**
    * Returns the median of the shares of the sky that pixels see of which some is seen; 1 if a still
    * frame has not found them.
    */

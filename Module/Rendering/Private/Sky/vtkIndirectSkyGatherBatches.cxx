@@ -88,7 +88,8 @@ bool vtkIndirectSkyGather::AddBatch(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;
   const vtkIndirectLightBatch& batch = input.Batch;
-  this->Keeps = this->KeepsStill = false;
+  this->Keeps = false;
+  this->KeepsStill = true;
   if (!this->Resize(input) || !this->UpdateOpenSky(input))
   {
     return false;
@@ -104,6 +105,18 @@ bool vtkIndirectSkyGather::AddBatch(const Input& input)
     (this->Step == 1 || this->FilterRows(input)) && this->FilterColumns(input) &&
     this->Smooth(input);
   return done && (this->Directions.GetStrong().empty() || this->SumStrong(input));
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectSkyGather::TakeShares(const Input& input, const vtkIndirectSkyGather& finer)
+{
+  if (!this->KeepsStill)
+  {
+    return true;
+  }
+  vtkIndirectFullScreenState kernelState(input.Frame.Window);
+  return this->Reprojection.KeepStill(
+    { input.Frame, input.Geometry, 1 }, finer.Smoothing.GetShares());
 }
 
 //------------------------------------------------------------------------------
