@@ -20,6 +20,10 @@ constexpr int MostTexelsOfMaps = 256;
 // 99 %) to all bounces 0.0011 -> 0.0007 on sky_machine, 0.0016 -> 0.0010 on sky_terrain, in 5 to
 // 13 % more time for the first picture.
 constexpr double FewTriangles = 131072.0;
+// Texels along the edges of all faces of finer maps: half of what an image of them one above the
+// other may have, since each map may have a second one for its window.
+constexpr int MostTexelsOfAll = 8192;
+constexpr int FacesOfPositional = 6;
 // Maps of directions without light are dropped if there are more maps than this.
 constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
 // The least number of steady lights: half of that of automatic numbers, as NumberOfLights is
@@ -73,7 +77,17 @@ int vtkIndirectSenderSampler::FindTexels(
   const bool fine =
     !plan.Interactive && !plan.LightsTurn && frame.CountDepthTriangles() < FewTriangles;
   const double fineness = this->Fineness > 0.0 ? this->Fineness : fine ? 2.0 : 1.0;
-  return std::min(static_cast<int>(TexelsOfMaps * fineness), MostTexelsOfMaps);
+  int texels = std::min(static_cast<int>(TexelsOfMaps * fineness), MostTexelsOfMaps);
+  int faces = 0;
+  for (const vtkIndirectLight& emitter : this->Emitters)
+  {
+    faces += emitter.Positional ? FacesOfPositional : 1;
+  }
+  while (texels > TexelsOfMaps && faces * texels > MostTexelsOfAll)
+  {
+    texels /= 2;
+  }
+  return texels;
 }
 
 //------------------------------------------------------------------------------
@@ -97,10 +111,6 @@ void vtkIndirectSenderSampler::BeginFrame(
 {
   this->SceneIsNew = this->UpdateScene(frame) || !this->MapsAreThere || !plan.Caching;
   this->Hasty = plan.Interactive && (this->Hasty || this->SceneIsNew);
-  if (!plan.Interactive || this->SceneIsNew)
-  {
-    this->TexelsOfMap = this->FindTexels(frame, plan);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -155,6 +165,10 @@ bool vtkIndirectSenderSampler::DrawMaps(
   }
   // While the camera moves, the maps' windows stay.
   const bool seen = this->SeenByMaps == frame.Seen.Near || plan.Interactive;
+  if (!plan.Interactive || this->SceneIsNew)
+  {
+    this->TexelsOfMap = this->FindTexels(frame, plan);
+  }
   const bool sized = this->TexelsOfDrawn == this->TexelsOfMap;
   if (!this->SceneIsNew && !this->EmittersHaveMoved && seen && sized)
   {
