@@ -8,6 +8,7 @@ the floor or the ceiling from that wall's foot to the middle of the room.
 
 import math
 import unittest
+from unittest import mock
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -217,6 +218,18 @@ class Cie171(unittest.TestCase):
 
     def test_5_9_sky_through_an_opening(self) -> None:
         self.compare_sky(0.03, 0.05)
+
+    def test_a_batch_of_few_directions(self) -> None:
+        """A tolerance of 0.5 takes 16 directions in the open, and 128 through an opening of 1.8 m."""
+        with mock.patch.dict(globals(), HOLE=(1.1, 2.9)):
+            means = []
+            for settings in ({}, {"ErrorTolerance": 0.5}):
+                renderer = make_room([*walls(HEIGHT, 0.5), floor(0.5), *open_roof(0.5)])
+                light = sky(lambda e: np.ones_like(e))
+                image = self.measure(renderer, "wall", "sky", environment=light, **settings)
+                means.append(image.mean())
+        print(f"means: {means}")
+        self.assertLess(abs(means[1] / means[0] - 1), 0.1)
 
     def test_5_9_left_alone(self) -> None:
         self.compare_sky(0.02, 0.05, NumberOfRefinements=2)

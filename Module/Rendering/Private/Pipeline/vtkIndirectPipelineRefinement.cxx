@@ -10,6 +10,7 @@
 #include "Sums/vtkIndirectSum.h"
 #include "vtkOpenGLRenderWindow.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -137,9 +138,10 @@ bool vtkIndirectPipeline::SumOpening()
   {
     return true;
   }
-  this->FinerSky.SetBatches(SkyOfOpening, this->Plan.SkyTileTexels, BlockOfOpening);
+  const int batch = std::min(SkyOfOpening, this->DirectionsOfOpening);
+  this->FinerSky.SetBatches(batch, this->Plan.SkyTileTexels, BlockOfOpening);
   vtkIndirectFrameLight::Input input = this->MakeInput(this->Bounce.GetVisibility());
-  input.Batch.Count = this->DirectionsOfOpening / SkyOfOpening;
+  input.Batch.Count = this->DirectionsOfOpening / batch;
   bool done = true;
   vtkIndirectEstimate light;
   for (; done && input.Batch.Number < input.Batch.Count; ++input.Batch.Number)
