@@ -225,8 +225,10 @@ def stored_images(
     return found, missing
 
 
-def _refined_picture(scene: Scene, bounces: int, step: frames.Step) -> dict[str, np.ndarray]:
-    """Render a refined picture; returns its buffers, and its estimated error as ``error``."""
+def _refined_picture(
+    scene: Scene, bounces: int, step: frames.Step
+) -> tuple[dict[str, np.ndarray], float]:
+    """Render a refined picture; returns its buffers and its estimated error."""
     window = scene.render_window
     rate = window.GetDesiredUpdateRate()
     window.SetDesiredUpdateRate(STEPWISE_RATE)
@@ -252,7 +254,7 @@ def _refined_picture(scene: Scene, bounces: int, step: frames.Step) -> dict[str,
             name: images.copy_buffer(scene.renderer, name)
             for name in {ALL_LIGHT, *map(buffer_of, names_of(scene))}
         }
-        return {**seen, "error": np.asarray(report["estimated_error"])}
+        return seen, report["estimated_error"]
     finally:
         methods.disable(scene.renderer)
         window.SetDesiredUpdateRate(rate)
@@ -273,11 +275,11 @@ def refined(
     try:
         found, errors = {}, {}
         for bounces in (1, 0) if "R2" in names else (0,):
-            picture = _refined_picture(scene, bounces, step)
+            picture, error = _refined_picture(scene, bounces, step)
             for name in names:
                 if (name == "R2") == (bounces == 1):
                     found[name] = picture[buffer_of(name)].astype(np.float64)
-                    errors[name] = float(picture["error"])
+                    errors[name] = error
         return found, errors
     finally:
         scene.render_window.SetSize(width, height)
@@ -293,13 +295,15 @@ def collect(
 ) -> References:
     """All references of a scene at an image size of (width, height) pixels.
 
-    `stored` is the EXR file with the stored ones, or None. `makes`: the default method makes them where
-    there is no such file; `step` is told of each of its frames.
+    `stored` is the EXR file with the stored ones, or None. `makes`: the default method makes them instead;
+    `step` is told of each of its frames.
     """
-    images_found, missing = stored_images(stored, size, names_of(scene))
     estimated: dict[str, float] = {}
-    if makes and (stored is None or not stored.exists()):
-        (images_found, estimated), missing = refined(scene, step), {}
+    missing: dict[str, str] = {}
+    if makes:
+        images_found, estimated = refined(scene, step)
+    else:
+        images_found, missing = stored_images(stored, size, names_of(scene))
     first = {}
     if has_r1(scene) and wrapped.has(wrapped.ORACLE):
         # Beside stored references R1 needs no more pixels than these.

@@ -85,13 +85,15 @@ std::vector<glm::dvec3> vtkIndirectDirections::MakeNestedLattice(int count)
   return nested;
 }
 
-//------------------------------------------------------------------------------
-size_t vtkIndirectDirections::FindNearest(
-  const glm::dvec3& direction, const std::vector<glm::dvec3>& directions)
+namespace
 {
-  size_t nearest = 0;
+// Finds the nearest one of the directions from begin to end.
+size_t FindNearestWithin(
+  const glm::dvec3& direction, const std::vector<glm::dvec3>& directions, size_t begin, size_t end)
+{
+  size_t nearest = begin;
   double most = -2.0;
-  for (size_t i = 0; i < directions.size(); ++i)
+  for (size_t i = begin; i < end; ++i)
   {
     const double cosine = glm::dot(direction, directions[i]);
     if (cosine > most)
@@ -102,6 +104,14 @@ size_t vtkIndirectDirections::FindNearest(
   }
   return nearest;
 }
+}
+
+//------------------------------------------------------------------------------
+size_t vtkIndirectDirections::FindNearest(
+  const glm::dvec3& direction, const std::vector<glm::dvec3>& directions)
+{
+  return FindNearestWithin(direction, directions, 0, directions.size());
+}
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectDirections::FindNearestOfLattice(
@@ -111,19 +121,8 @@ size_t vtkIndirectDirections::FindNearestOfLattice(
   const double count = static_cast<double>(lattice.size());
   const double middle = 0.5 * (1.0 - direction.y) * count;
   const double reach = 1.5 * std::sqrt(count) + 1.0;
-  const size_t end = static_cast<size_t>(std::min(middle + reach, count));
-  size_t nearest = static_cast<size_t>(std::clamp(middle, 0.0, count - 1.0));
-  double most = -2.0;
-  for (size_t i = static_cast<size_t>(std::max(middle - reach, 0.0)); i < end; ++i)
-  {
-    const double cosine = glm::dot(direction, lattice[i]);
-    if (cosine > most)
-    {
-      most = cosine;
-      nearest = i;
-    }
-  }
-  return nearest;
+  return FindNearestWithin(direction, lattice, static_cast<size_t>(std::max(middle - reach, 0.0)),
+    static_cast<size_t>(std::min(middle + reach, count)));
 }
 
 //------------------------------------------------------------------------------

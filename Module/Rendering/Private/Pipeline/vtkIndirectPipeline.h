@@ -158,6 +158,7 @@ private:
   double EstimateError() const;
   bool HasTime() const;
   bool RefinesSky() const;
+  bool Refines(const Part& part) const;
   bool DrawMapsOfBatch();
   bool SumOpening();
   std::vector<vtkIndirectContribution> GetRefined() const;

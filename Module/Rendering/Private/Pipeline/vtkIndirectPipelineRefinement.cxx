@@ -115,6 +115,13 @@ bool vtkIndirectPipeline::RefinesSky() const
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectPipeline::Refines(const Part& part) const
+{
+  return (this->Plan.RefinesLights && &part == &this->Parts[0]) ||
+    (this->RefinesSky() && &part == &this->Parts[1]);
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectPipeline::DrawMapsOfBatch()
 {
   if (!this->DepthMaps.HasRequests())
@@ -162,14 +169,13 @@ bool vtkIndirectPipeline::SumOpening()
 std::vector<vtkIndirectContribution> vtkIndirectPipeline::GetRefined() const
 {
   std::vector<vtkIndirectContribution> refined;
-  if (this->Plan.RefinesLights)
+  for (const Part& part : this->Parts)
   {
-    refined = this->Parts[0].Result.Contributions;
-  }
-  if (this->RefinesSky())
-  {
-    const std::vector<vtkIndirectContribution>& sky = this->Parts[1].Result.Contributions;
-    refined.insert(refined.end(), sky.begin(), sky.end());
+    if (this->Refines(part))
+    {
+      const auto& lights = part.Result.Contributions;
+      refined.insert(refined.end(), lights.begin(), lights.end());
+    }
   }
   return refined;
 }
@@ -230,10 +236,7 @@ double vtkIndirectPipeline::EstimateError() const
   std::vector<vtkIndirectContribution> others;
   for (const Part& part : this->Parts)
   {
-    const bool isRefined = &part == &this->Parts[0] ? this->Plan.RefinesLights
-      : &part == &this->Parts[1]                    ? this->RefinesSky()
-                                                    : false;
-    if (part.IsThere && !isRefined)
+    if (part.IsThere && !this->Refines(part))
     {
       const auto& lights = part.Result.Contributions;
       others.insert(others.end(), lights.begin(), lights.end());

@@ -102,14 +102,22 @@ void vtkIndirectSkyDirections::ShareLattice()
   {
     light[vtkIndirectDirections::FindNearestOfLattice(cell.Direction, this->Lattice)] += cell.Light;
   }
-  this->Others.clear();
+  this->Others = this->FindLit(light);
+}
+
+//------------------------------------------------------------------------------
+std::vector<vtkIndirectSkyDirections::Summand> vtkIndirectSkyDirections::FindLit(
+  const std::vector<glm::dvec3>& light) const
+{
+  std::vector<Summand> lit;
   for (size_t i = 0; i < light.size(); ++i)
   {
     if (vtkIndirectSkyProjection::SumColors(light[i]) > 0.0)
     {
-      this->Others.push_back({ i, light[i], this->Lattice[i] });
+      lit.push_back({ i, light[i], this->Lattice[i] });
     }
   }
+  return lit;
 }
 
 //------------------------------------------------------------------------------
@@ -208,15 +216,7 @@ std::vector<vtkIndirectSkyDirections::Summand> vtkIndirectSkyDirections::Share(
     }
     light[cell.Nearest] += cell.Light;
   }
-  std::vector<Summand> shared;
-  for (const size_t number : numbers)
-  {
-    if (vtkIndirectSkyProjection::SumColors(light[number]) > 0.0)
-    {
-      shared.push_back({ number, light[number], this->Lattice[number] });
-    }
-  }
-  return shared;
+  return this->FindLit(light);
 }
 
 //------------------------------------------------------------------------------

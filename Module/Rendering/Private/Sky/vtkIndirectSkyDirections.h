@@ -85,6 +85,7 @@ public:
 private:
   void FindLight(vtkIndirectSkyProjection& projection, vtkEnvironmentLight* environment);
   void ShareLattice();
+  std::vector<Summand> FindLit(const std::vector<glm::dvec3>& light) const;
   void FindOthers(int count);
 
   std::vector<glm::dvec3> Lattice; // a still frame's directions, and added ones

@@ -158,6 +158,6 @@ private:
   bool Keeps = false;      // the shares of a moving frame are kept for the next frame
   bool KeepsStill = false; // those of a still frame are
   int Step = 1;            // edge of the blocks of pixels that share directions, in the last frame
-  int DirectionsOfBatch = 64;
-  int TexelsOfBatch = 256;
+  int DirectionsOfBatch = 0;
+  int TexelsOfBatch = 0;
 };
