@@ -20,9 +20,9 @@ constexpr int MostTexelsOfMaps = 256;
 // 99 %) to all bounces 0.0011 -> 0.0007 on sky_machine, 0.0016 -> 0.0010 on sky_terrain, in 5 to
 // 13 % more time for the first picture.
 constexpr double FewTriangles = 131072.0;
-// Texels along the edges of all faces of finer maps: half of what an image of them one above the
-// other may have, since each map may have a second one for its window.
-constexpr int MostTexelsOfAll = 8192;
+// Texels of all faces of finer maps: half of what the table of senders holds, 256 in a row and
+// 16,384 rows, since each map may have a second one for its window.
+constexpr int MostTexelsOfAll = 2097152;
 constexpr int FacesOfPositional = 6;
 // Maps of directions without light are dropped if there are more maps than this.
 constexpr size_t MostMaps = vtkIndirectEmitters::MostPieces;
@@ -83,7 +83,7 @@ int vtkIndirectSenderSampler::FindTexels(
   {
     faces += emitter.Positional ? FacesOfPositional : 1;
   }
-  while (texels > TexelsOfMaps && faces * texels > MostTexelsOfAll)
+  while (texels > TexelsOfMaps && faces * texels * texels > MostTexelsOfAll)
   {
     texels /= 2;
   }
