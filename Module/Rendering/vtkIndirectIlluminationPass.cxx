@@ -515,9 +515,13 @@ vtkIndirectSettingList vtkIndirectIlluminationPass::CollectSettings()
 }
 
 //------------------------------------------------------------------------------
-std::string vtkIndirectIlluminationPass::GetReport()
+std::string vtkIndirectIlluminationPass::GetReport(bool estimatesError)
 {
   Internals& in = *this->Internal;
+  if (estimatesError)
+  {
+    in.Pipeline.EstimateError();
+  }
   vtkIndirectReport report;
   report.Settings = in.Pipeline.HasBuffers() ? in.FrameSettings : this->CollectSettings();
   in.Pipeline.AddToReport(report);

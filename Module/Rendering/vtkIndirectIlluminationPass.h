@@ -280,10 +280,11 @@ public:
   /**
    * The wanted error of the irradiance, RMS over its mean. Radiance hints choose their grid by it,
    * multiresolution splatting its thresholds, and light from the sky its directions (16 to 1024, at
-   * 0 256; a quarter of them in a moving frame). The report has the estimator's own estimate of its
-   * error. Parameters that the user has set on an estimator stay unchanged. The report has the
-   * value in use under settings, and under left_out if it differs. Default 0: the estimators' own
-   * parameters are used. Range 0 to 1.
+   * 0 256; a quarter of them in a moving frame). A still picture is refined (NumberOfRefinements)
+   * until path tracing at some of its pixels says that the error is no greater. Parameters that the
+   * user has set on an estimator stay unchanged. The report has the value in use under settings,
+   * and under left_out if it differs. Default 0: the estimators' own parameters are used. Range 0
+   * to 1.
    */
   vtkIndirectClampMacro(ErrorTolerance, double, 0.0, 1.0);
   ///@}
@@ -315,10 +316,10 @@ public:
    * draws the depth maps of 64 of each and sums their light, a frame of IdleFrames as many as there
    * is time for; when all of them are there, the finer picture takes the place of the one before,
    * on a screen within eight frames. A picture off screen, at an update rate of 0.001 or less, is
-   * refined at once. Render while the report's batches_left is above 0. The report's
-   * estimated_error is that of the refined picture; with an ErrorTolerance refinement ends when it
-   * is met.
-   * Default -1, automatic: 2 on a screen, where IdleFrames draw them; 3 with a TimeBudget; else 0.
+   * refined at once. Render while the report's batches_left is above 0. With an ErrorTolerance
+   * refinement ends when the estimated error meets it.
+   * Default -1, automatic: 2 on a screen, where IdleFrames draw them; 3 with a TimeBudget or an
+   * ErrorTolerance; else 0.
    * This is for vtkMultiresolutionSplattingPass, the default estimator, and for lights of maps; in
    * other pictures the sky alone is refined. The report names under left_out what is not refined.
    */
@@ -399,8 +400,14 @@ public:
    * rays; counters since construction: shader_builds, how often VTK asked for a mapper's shader
    * source. With Timing on it has the median and 95th percentile of each stage's milliseconds over
    * the frames since, by wall clock and, if OpenGL has timer queries, by the GPU's clock.
+   *   estimated_error is the RMS error of a still picture's irradiance over its mean, of all
+   * bounces that NumberOfBounces asks for, with true visibility. It comes from path tracing on the
+   * processor at 256 to 1024 pixels, none of them at silhouettes and creases, once for each picture
+   * and only when a report asks for it; it leaves out the size of lights, glass, and specular
+   * reflection between surfaces. estimatesError: false leaves the estimate out of a report that is
+   * to cost nothing.
    */
-  std::string GetReport();
+  std::string GetReport(bool estimatesError = true);
 
   /**
    * Copies a channel of the last frame, floats, bottom row first, vectors in world coordinates,

@@ -254,7 +254,6 @@ vtkIndirectSamplerAbilities WalkLights::GetAbilities() const
 {
   vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
   abilities.Walks = true;
-  abilities.HalvesAreAlike = this->Set.GetNumberOfVertices() == 0;
   abilities.HasMore = this->HasMore;
   return abilities;
 }

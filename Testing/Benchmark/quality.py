@@ -23,7 +23,7 @@ import vtkindirect
 from vtkindirect import images, qualities, screenshot, windows
 
 FRAMES = 9
-BEST = {"NumberOfLights": 2048, "ErrorTolerance": 0.002}
+BEST = {"NumberOfLights": 2048, "ErrorTolerance": 0.002, "NumberOfRefinements": 0}
 
 
 def knot() -> Any:

@@ -34,6 +34,7 @@ ROOMS = [
     "RadianceHints",
     "Proxies",
     "Picture",
+    "Error",
     "Pipeline",
 ]
 PUBLIC = {

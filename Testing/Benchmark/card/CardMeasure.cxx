@@ -138,7 +138,7 @@ void AddStages(card::Scene& scene, vtkIndirectIlluminationPass* pass, Json& resu
   {
     scene.Window->Render();
   }
-  const Json report = Json::parse(pass->GetReport());
+  const Json report = Json::parse(pass->GetReport(false));
   pass->SetTiming(false);
   for (const auto& [stage, times] : report.at("stages").items())
   {

@@ -46,7 +46,7 @@ Report::Report(const std::string& text)
 
 //------------------------------------------------------------------------------
 Report::Report(vtkIndirectIlluminationPass* pass)
-  : Report(pass->GetReport())
+  : Report(pass->GetReport(false))
 {
   CONTRACT_CHECK(this->Valid, "no valid JSON: " << this->Text);
   for (const char* key : { "schema", "scene", "size", "method", "settings", "frames", "stages",

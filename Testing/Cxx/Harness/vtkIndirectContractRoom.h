@@ -51,7 +51,7 @@ inline double Distance(const Pixels& a, const Pixels& b, size_t pixel)
 
 inline void CheckReported(vtkIndirectIlluminationPass* pass, const std::string& what)
 {
-  const std::string report = pass->GetReport();
+  const std::string report = pass->GetReport(false);
   CONTRACT_CHECK(report.find(what) != std::string::npos, "no '" << what << "' in " << report);
 }
 }

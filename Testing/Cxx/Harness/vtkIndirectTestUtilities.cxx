@@ -464,7 +464,7 @@ std::vector<Scene::Receiver> Scene::GetReceivers()
 
 double Scene::ReadReport(const std::string& key)
 {
-  const std::string report = this->Pass->GetReport();
+  const std::string report = this->Pass->GetReport(false);
   const std::string name = "\"" + key + "\": ";
   const size_t at = report.find(name);
   return at == std::string::npos ? -1.0 : std::stod(report.substr(at + name.size()));

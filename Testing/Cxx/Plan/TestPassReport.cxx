@@ -192,6 +192,7 @@ VTK_INDIRECT_TEST(ToleranceKeepsThresholds)
       splatting->SetNormalThreshold(normal);
     }
     view.Pass->SetErrorTolerance(tolerance);
+    view.Pass->SetNumberOfRefinements(0);
     // a tree's branches, and lights of paths, depend on the tolerance, too
     vtkNew<vtkUniformLightSampler> even;
     view.Pass->SetSampler(even);
@@ -357,8 +358,9 @@ void CheckInLocale()
     {
       CONTRACT_CHECK(
         !report.FindReason("modelled", "ErrorTolerance 0.0123456789").empty(), report.GetText());
-      CONTRACT_CHECK(report.GetNumber("estimated_error") > 0.0, report.Get("estimated_error"));
     }
+    const Report whole(view.Pass->GetReport());
+    CONTRACT_CHECK(whole.GetNumber("estimated_error") > 0.0, whole.Get("estimated_error"));
   }
 }
 }

@@ -297,6 +297,15 @@ VTK_INDIRECT_TEST(PlanRefinements)
   settings.NumberOfRefinements = -1;
   circumstances.OffScreen = true;
   CheckEqual("off screen", refinements(), 0);
+  settings.ErrorTolerance = 0.1;
+  CheckEqual("off screen with a tolerance: at most", refinements(), 3);
+  circumstances.UpdateRate = 0.01;
+  CheckEqual("with a tolerance, frame by frame", refinements(), 0);
+  circumstances.UpdateRate = 0.0001;
+  settings.NumberOfRefinements = 0;
+  CheckEqual("with a tolerance, where the user wants none", refinements(), 0);
+  settings.NumberOfRefinements = -1;
+  settings.ErrorTolerance = 0.0;
   settings.TimeBudget = 4.0;
   const vtkIndirectPlan plan = vtkIndirectPlan::Make(frame, settings, estimator, circumstances);
   CheckEqual("off screen with a budget: at most", plan.Refinements, 3);

@@ -119,17 +119,17 @@ def timed_render(window: vtkRenderWindow) -> float:
 
 def tiles_drawn(indirect: Any) -> int:
     """Return how many depth maps a pass has drawn so far; 0 without a pass."""
-    return 0 if indirect is None else int(methods.report(indirect)["counters"]["tiles_drawn"])
+    return 0 if indirect is None else methods.counters(indirect)["tiles_drawn"]
 
 
 def tiles_left(indirect: Any) -> int:
     """Return how many depth maps further frames will draw; 0 without a pass."""
-    return 0 if indirect is None else int(methods.report(indirect)["counters"]["tiles_left"])
+    return 0 if indirect is None else methods.counters(indirect)["tiles_left"]
 
 
 def batches_left(indirect: Any) -> int:
     """Return how many frames will refine a still picture; 0 without a pass."""
-    return 0 if indirect is None else int(methods.report(indirect)["counters"]["batches_left"])
+    return 0 if indirect is None else methods.counters(indirect)["batches_left"]
 
 
 def _never() -> bool:

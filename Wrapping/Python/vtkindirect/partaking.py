@@ -36,7 +36,7 @@ class Warner:
         self._seen = renderer.GetViewProps().GetMTime()
         if self._done or not self._changed:
             return
-        left_out = props_left_out(json.loads(indirect.GetReport()))
+        left_out = props_left_out(json.loads(indirect.GetReport(False)))
         if left_out:
             self._done = True
             warnings.warn(

@@ -14,9 +14,14 @@ from vtkindirect import settings
 from vtkindirect.errors import UsageError, check_text, unknown
 
 QUALITIES: dict[str, dict[str, Any]] = {
-    "draft": {"NumberOfLights": 64, "ErrorTolerance": 0.2},
+    "draft": {"NumberOfLights": 64, "ErrorTolerance": 0.2, "NumberOfRefinements": 0},
     "interactive": {},
-    "final": {"NumberOfLights": 1024, "ErrorTolerance": 0.01, "MapsFirst": True},
+    "final": {
+        "NumberOfLights": 1024,
+        "ErrorTolerance": 0.01,
+        "MapsFirst": True,
+        "NumberOfRefinements": 0,
+    },
 }
 """Settings by name; what a word does not name has its default."""
 NAMES = tuple(QUALITIES)

@@ -247,7 +247,7 @@ def _refined_picture(
         if said.errors:
             raise RenderError(f"the refined picture failed: {said.first_error()}")
         report = methods.report(indirect)
-        if report["estimated_error"] is None:
+        if report["counters"]["refinements"] == 0:
             why = [entry["why"] for entry in report["left_out"] if "refinement" in entry["what"]]
             raise RenderError(f"no picture can be refined: {'; '.join(why)}")
         seen = {

@@ -204,7 +204,7 @@ class Tone:
 
     def _expose(self, indirect: Any) -> None:
         """Choose the exposure by a frame, unless the one in force still suits it."""
-        report = json.loads(indirect.GetReport())
+        report = json.loads(indirect.GetReport(False))
         if not report["paths"]:  # the delegate alone drew: no buffers
             return
         same = self._complete and not report["changed"]

@@ -30,9 +30,8 @@ const vtkIndirectChannels RangeChannels = {
 };
 const vtkIndirectChannels ProbeChannels = {
   { "subsplat.probe", "vtkiProbe",
-    "luminance of the irradiance at a pixel of each texel, and of the difference between halves of "
-    "the lights, whether lit",
-    GL_RGBA32F, "-", "VTK irradiance over the frame's unit" },
+    "luminance of the irradiance at a pixel of each texel, whether lit", GL_RGBA32F, "-",
+    "VTK irradiance over the frame's unit" },
   { "subsplat.sender", "vtkiProbeSender", "position and area of the light of greatest curvature",
     GL_RGBA32F, "view", "scene units" },
   { "subsplat.senderDensity", "vtkiProbeDensity",
@@ -75,7 +74,7 @@ bool vtkIndirectSubsplatPyramid::Resize(
   } while (2 * std::max(width, height) > settings.CoarsestResolution || count < least);
   this->Levels.resize(count);
 
-  const bool probes = settings.LightingThreshold > 0.0 || settings.ReportsError;
+  const bool probes = settings.LightingThreshold > 0.0;
   if (!probes && this->Probe)
   {
     this->Probe.reset();
@@ -219,27 +218,6 @@ bool vtkIndirectSubsplatPyramid::Build(
     this->Lists.End();
   }
   return done;
-}
-
-//------------------------------------------------------------------------------
-double vtkIndirectSubsplatPyramid::EstimateSamplingError() const
-{
-  double squares = 0.0;
-  double sum = 0.0;
-  size_t count = 0;
-  const std::vector<float> values = this->Probe ? this->Probe->ReadBack(0) : std::vector<float>();
-  for (size_t i = 0; i < values.size(); i += 4)
-  {
-    // The fourth component is 1 at lit probes.
-    if (values[i + 3] > 0.5f)
-    {
-      // The halves are not doubled: the difference of sums is half that of estimates.
-      squares += static_cast<double>(values[i + 1]) * values[i + 1];
-      sum += values[i];
-      ++count;
-    }
-  }
-  return sum > 0.0 ? std::sqrt(squares / count) / (sum / count) : 0.0;
 }
 
 //------------------------------------------------------------------------------

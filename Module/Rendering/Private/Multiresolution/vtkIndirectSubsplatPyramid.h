@@ -31,7 +31,6 @@ struct vtkIndirectSubsplatSettings : vtkIndirectSubsplatDetails
   double SurfaceDetail = 0.0;
   double StorageScale = 1.0;
   bool HasCompute = false; // compute shaders sum lights by lists of split texels
-  bool ReportsError = false;
   /** The image to fill, with irradiance of the last frame, see vtkIndirectReprojection; or null. */
   const vtkIndirectTarget* Reprojected = nullptr;
 };
@@ -59,12 +58,6 @@ public:
   }
   /** Returns the list i: the split texels of level i + 1. */
   vtkIndirectSubsplatList& GetLists() { return this->Lists; }
-
-  /**
-   * Sampling error of the lights, estimated from the two halves of them at the probes: RMS(A - B) /
-   * 2 over the mean. Needs ReportsError; reads back.
-   */
-  double EstimateSamplingError() const;
 
   /** Returns the pixels along the edge of a texel of a level. */
   static float EdgeOf(size_t number) { return static_cast<float>(1u << number); }

@@ -164,10 +164,6 @@ vtkIndirectSubsplatSettings vtkIndirectSubsplatSum::MakeSettings(const Input& in
       input.Plan.ErrorTolerance);
   settings.StorageScale = settings.HalfFloats ? 1.0 / input.Plan.IrradianceUnit : 1.0;
   settings.HasCompute = vtkIndirectComputeProgram::IsSupported();
-  // A tree's clusters are too unlike each other: halves of them differ by three to nine times the
-  // error of all.
-  settings.ReportsError = tolerance > 0.0 && input.Lights->HalvesAreAlike() &&
-    input.Lights->GetNumberOfLights() <= input.Visibility.GetMaximumNumberOfSenders();
   return settings;
 }
 
@@ -262,7 +258,6 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
 
   this->Renderer = settings.HasCompute ? "compute" : "fragments";
   this->Tolerance = input.Plan.EstimatorErrorTolerance;
-  this->SamplingError = -1.0;
   this->Evaluations = -1;
   if (!done)
   {
@@ -277,10 +272,6 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
   {
     return {};
   }
-  if (settings.ReportsError)
-  {
-    this->SamplingError = this->Pyramid.EstimateSamplingError();
-  }
   if (this->Tolerance > 0.0 && !batches && settings.HasCompute)
   {
     this->Evaluations = 0;
@@ -289,9 +280,7 @@ vtkIndirectEstimate vtkIndirectSubsplatSum::Estimate(const Input& input)
       this->Evaluations += 4 * this->Pyramid.GetLists().Count(i);
     }
   }
-  vtkIndirectEstimate result = this->MakeResult();
-  result.Error = this->SamplingError;
-  return result;
+  return this->MakeResult();
 }
 
 //------------------------------------------------------------------------------
@@ -437,21 +426,6 @@ void vtkIndirectSubsplatSum::AddToReport(vtkIndirectReport& report) const
   {
     report.LeftOut.emplace_back(name, threshold + " is the user's and stays as it is");
   }
-  if (this->SamplingError > this->Tolerance)
-  {
-    // The error of low-discrepancy lights falls at least as one over the root of their number.
-    const double ratio = this->SamplingError / this->Tolerance;
-    report.LeftOut.emplace_back(name,
-      "two halves of the virtual lights differ by more, " +
-        vtkIndirectReport::Number(this->SamplingError, 3) + "; about " +
-        std::to_string(static_cast<int>(this->NumberOfLights * ratio * ratio) + 1) +
-        " lights would meet it");
-  }
-  report.LeftOut.emplace_back(name,
-    std::string(
-      "the error of interpolating over what is narrower than a subsplat is not estimated, "
-      "and nor is that of sampling") +
-      (this->SamplingError < 0.0 ? "" : " beyond what halves of the lights differ by"));
 }
 
 //------------------------------------------------------------------------------

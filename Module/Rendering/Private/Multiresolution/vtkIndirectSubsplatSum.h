@@ -71,7 +71,6 @@ private:
 
   // The last frame, for the report.
   double Tolerance = 0.0;
-  double SamplingError = -1.0;
   int Evaluations = -1;
   bool IsReprojected = false;
   int NumberOfLights = 0;

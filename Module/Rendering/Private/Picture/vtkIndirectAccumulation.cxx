@@ -94,59 +94,6 @@ void vtkIndirectAccumulation::Finish()
 }
 
 //------------------------------------------------------------------------------
-// Pixels without light in both pictures do not count.
-double vtkIndirectAccumulation::FindChange(
-  const Contributions& picture, const Contributions& others) const
-{
-  const auto isIrradiance = [](const vtkIndirectContribution& light)
-  {
-    return light.Kind == vtkIndirectContribution::SKY ||
-      light.Kind == vtkIndirectContribution::AREA || light.Kind == vtkIndirectContribution::BOUNCE;
-  };
-  const auto add = [](std::vector<float>& sum, const std::vector<float>& light, double unit)
-  {
-    sum.resize(light.size(), 0.0f);
-    std::transform(light.begin(), light.end(), sum.begin(), sum.begin(),
-      [unit](float a, float b) { return static_cast<float>(unit * a + b); });
-  };
-  std::vector<float> before;
-  std::vector<float> kept;
-  std::vector<float> rest;
-  for (size_t i = 0; i < picture.size(); ++i)
-  {
-    if (isIrradiance(picture[i]))
-    {
-      add(before, this->Before[i]->ReadBack(0), 1.0);
-      add(kept, this->Kept[i]->ReadBack(0), 1.0);
-    }
-  }
-  rest.resize(kept.size(), 0.0f);
-  for (const vtkIndirectContribution& light : others)
-  {
-    if (isIrradiance(light))
-    {
-      add(rest, light.Target->ReadBack(light.Channel), light.Unit);
-    }
-  }
-  double sum = 0.0;
-  double squares = 0.0;
-  long long count = 0;
-  for (size_t i = 0; i + 3 < kept.size(); i += 4)
-  {
-    bool isLit = false;
-    for (size_t c = i; c < i + 3; ++c)
-    {
-      const double change = static_cast<double>(kept[c]) - before[c];
-      sum += kept[c] + rest[c];
-      squares += change * change;
-      isLit = isLit || kept[c] != 0.0f || before[c] != 0.0f;
-    }
-    count += isLit ? 3 : 0;
-  }
-  return sum > 0.0 ? std::sqrt(squares * static_cast<double>(count)) / sum : 0.0;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectAccumulation::Show(
   const vtkIndirectFrame& frame, const Contributions& picture, double share)
 {

@@ -31,11 +31,6 @@ public:
     const vtkIndirectFrame& frame, size_t number, const vtkIndirectContribution& light, bool first);
   /** Keeps the sum of all batches, and the light before for Show. */
   void Finish();
-  /**
-   * Returns the RMS difference of the irradiance that is kept from that before, over the mean of
-   * all irradiance, after Finish. others: light that is not accumulated.
-   */
-  double FindChange(const Contributions& picture, const Contributions& others) const;
   /** Writes this share of the light that is kept, and the rest of the light before, into images. */
   bool Show(const vtkIndirectFrame& frame, const Contributions& picture, double share);
 

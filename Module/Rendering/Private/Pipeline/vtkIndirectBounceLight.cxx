@@ -73,6 +73,15 @@ const vtkIndirectBlockingSpheres* vtkIndirectBounceLight::UpdateSurfaces(
 }
 
 //------------------------------------------------------------------------------
+const vtkIndirectSurfaces& vtkIndirectBounceLight::GetSurfaces(const Input& input)
+{
+  vtkIndirectVisibilityNeeds needs;
+  needs.Surfaces = true;
+  this->UpdateSurfaces(input, needs);
+  return this->Surfaces;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectBounceLight::Update(const Input& input)
 {
   const vtkIndirectVisibilityNeeds needs = this->GetSum().GetVisibilityNeeds(input.Plan);

@@ -44,6 +44,9 @@ public:
   size_t GetMainMemoryBytes() const override;
   void AddToReport(vtkIndirectReport& report) const override;
 
+  /** Returns the scene's surfaces, up to date even if nothing else needs them. */
+  const vtkIndirectSurfaces& GetSurfaces(const Input& input);
+
   const vtkIndirectVisibility& GetVisibility() const { return this->Visibility; }
 
 protected:

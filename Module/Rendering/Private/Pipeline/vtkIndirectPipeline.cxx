@@ -107,6 +107,8 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     circumstances.SamplerTakesSenders = sampler.TakesSenders;
   }
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
+  this->EstimatedError = -1.0;
+  this->ErrorIsEstimated = false;
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
   std::vector<vtkSmartPointer<vtkAreaLight>> virtualAreaLights;
   this->ClosedAreaLights.clear();

@@ -12,6 +12,7 @@
 #include "Capture/vtkIndirectGeometryBuffer.h"      // for members
 #include "Capture/vtkSurfaceCapturePass.h"          // for members
 #include "Emitters/vtkIndirectSkyProjection.h"      // for members
+#include "Error/vtkIndirectErrorProbe.h"            // for members
 #include "Maps/vtkIndirectDepthMaps.h"              // for members
 #include "Maps/vtkIndirectPenumbra.h"               // for members
 #include "Maps/vtkIndirectViewSamples.h"            // for a member
@@ -109,6 +110,12 @@ public:
   void AddSettings(vtkIndirectSettingList& list, const vtkIndirectSettings& settings,
     const vtkIndirectPlan* plan) const;
 
+  /**
+   * Estimates the error of the last frame's irradiance, once for each frame. Returns the RMS error
+   * over the mean; negative of moving frames, and of pictures that lack depth maps.
+   */
+  double EstimateError();
+
   /** Adds what the last frame modelled and left out, its sizes and its counters to the report. */
   void AddToReport(vtkIndirectReport& report) const;
 
@@ -155,7 +162,7 @@ private:
   bool AddBatch();
   bool UpdateLightsOfBatch(const vtkIndirectFrameLight::Input& input);
   bool SumBatch(const vtkIndirectFrameLight::Input& input);
-  double EstimateError() const;
+  bool MeetsTolerance();
   bool HasTime() const;
   bool RefinesSky() const;
   bool Refines(const Part& part) const;
@@ -195,6 +202,9 @@ private:
   vtkIndirectAccumulation Accumulation{ this };
   vtkIndirectRefinementSchedule Schedule;
   double FrameBegan = 0.0; // on the schedule's clock
+  vtkIndirectErrorProbe ErrorProbe;
+  double EstimatedError = -1.0;
+  bool ErrorIsEstimated = false; // of the last frame
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };
   vtkIndirectSkyGather FinerSky{ this, DepthMaps, &SkyMaps };

@@ -15,12 +15,6 @@
 
 namespace
 {
-// A refined picture's error is so many times its change from the picture before it, by the table of
-// the guide ("A picture left alone"). Most of the first change is the error of the first picture,
-// which has fewer lights, of a quarter of the texels.
-constexpr double ErrorOverFirstChange = 0.5;
-constexpr double ErrorOverChange = 1.0;
-
 // Directions of the sky of a batch of lights, and texels of their maps over those of the first
 // picture.
 constexpr int SkyOfBatch = 64;
@@ -66,6 +60,10 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
     if (fades && !schedule.HasBatch())
     {
       this->ShowRefinement();
+    }
+    if (schedule.IsAtFirst() && this->MeetsTolerance())
+    {
+      schedule.End();
     }
     for (bool adds = schedule.HasBatch(); adds;
          adds = (this->Plan.FinishesAtOnce || this->HasTime()) && schedule.HasBatch())
@@ -230,23 +228,6 @@ bool vtkIndirectPipeline::SumBatch(const vtkIndirectFrameLight::Input& input)
 }
 
 //------------------------------------------------------------------------------
-// Returns the estimated error of a refinement that is there.
-double vtkIndirectPipeline::EstimateError() const
-{
-  std::vector<vtkIndirectContribution> others;
-  for (const Part& part : this->Parts)
-  {
-    if (part.IsThere && !this->Refines(part))
-    {
-      const auto& lights = part.Result.Contributions;
-      others.insert(others.end(), lights.begin(), lights.end());
-    }
-  }
-  return this->Accumulation.FindChange(this->GetRefined(), others) *
-    (this->Schedule.GetRefinements() == 1 ? ErrorOverFirstChange : ErrorOverChange);
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectPipeline::AddBatch()
 {
   Part& part = this->Parts[this->Plan.RefinesLights ? 0 : 1];
@@ -261,18 +242,20 @@ bool vtkIndirectPipeline::AddBatch()
     done = done && this->Accumulation.Keep(this->Frame, this->GetRefined());
   }
   done = done && this->SumBatch(input);
-  if (done && this->Schedule.EndBatch(vtkIndirectRefinementSchedule::ReadClock()))
+  const bool isFiner = done && this->Schedule.EndBatch(vtkIndirectRefinementSchedule::ReadClock());
+  if (isFiner)
   {
     this->Accumulation.Finish();
-    part.Result.Error = this->EstimateError();
-    if (this->Plan.ErrorToleranceIsSet && part.Result.Error <= this->Plan.ErrorTolerance)
-    {
-      this->Schedule.End();
-    }
+    done = this->Accumulation.Show(this->Frame, this->GetRefined(), 1.0);
+  }
+  part.IsThere = done;
+  part.Time = part.Light->GetEstimateTime();
+  if (done && isFiner && this->MeetsTolerance())
+  {
+    this->Schedule.End();
   }
   done = done && this->ShowRefinement();
   part.IsThere = done;
-  part.Time = part.Light->GetEstimateTime();
   if (!done)
   {
     part.Key.Clear(); // the next frame makes the picture anew

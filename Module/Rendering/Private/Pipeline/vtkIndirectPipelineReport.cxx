@@ -145,7 +145,6 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
       report.Bytes += part.Light->GetBytes();
       report.MainMemoryBytes += part.Light->GetMainMemoryBytes();
       part.Light->AddToReport(report);
-      report.EstimatedError = std::max(report.EstimatedError, part.Result.Error);
     }
     else if (part.IsAsked)
     {
@@ -154,6 +153,14 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     }
   }
   this->AddRefinementToReport(report);
+  report.EstimatedError = this->EstimatedError;
+  if (this->EstimatedError >= 0.0)
+  {
+    report.Modelled.emplace_back("estimated error",
+      "path tracing at " + std::to_string(this->ErrorProbe.GetNumberOfPixels()) + " pixels, " +
+        (this->Plan.AskedBounces > 0 ? std::to_string(this->Plan.AskedBounces) : "all") +
+        " bounces");
+  }
   if (this->LampsAreReplaceable)
   {
     report.Modelled.emplace_back("balance of the preset's light",

@@ -37,6 +37,8 @@ public:
   /** Begins a frame that adds something, if there is time. */
   void BeginFrame(double now);
   bool HasBatch() const;
+  /** Returns true if the first batch of the first refinement comes next. */
+  bool IsAtFirst() const { return this->HasBatch() && this->Refinement + this->Batches == 0; }
   /** The lights of the refinement under way, and the batch of them that comes next. */
   int GetNumberOfLights() const;
   vtkIndirectLightBatch GetBatch() const;

@@ -107,8 +107,4 @@ struct vtkIndirectEstimate
   };
   StateType State = FAILED;
   std::vector<vtkIndirectContribution> Contributions;
-  /**
-   * RMS error of the irradiance over its mean, as estimated by the estimator; negative: unknown.
-   */
-  double Error = -1.0;
 };

@@ -149,10 +149,12 @@ void vtkIndirectPlan::FindRefinements(const vtkIndirectSettings& settings,
 {
   const bool automatic = settings.NumberOfRefinements < 0;
   const bool seen = !circumstances.OffScreen;
-  const int asked = !automatic         ? settings.NumberOfRefinements
-    : settings.TimeBudget > 0.0        ? MostRefinements
-    : seen && circumstances.IdleFrames ? RefinementsOnScreen
-                                       : 0;
+  const bool follows = this->FinishesAtOnce || (seen && circumstances.IdleFrames);
+  const int asked = !automatic             ? settings.NumberOfRefinements
+    : settings.TimeBudget > 0.0            ? MostRefinements
+    : this->ErrorToleranceIsSet && follows ? MostRefinements
+    : seen && circumstances.IdleFrames     ? RefinementsOnScreen
+                                           : 0;
   if (asked == 0 || this->Interactive)
   {
     return;

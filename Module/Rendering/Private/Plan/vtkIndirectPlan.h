@@ -199,7 +199,8 @@ struct vtkIndirectPlan
    * bounces; 0: there is no walk.
    */
   int WalkedBounces = 0;
-  int LastBounce = 1; // the last bounce that an estimator, a sampler or the walk computes
+  int AskedBounces = 0; // that the user asks for; 0: all
+  int LastBounce = 1;   // the last bounce that an estimator, a sampler or the walk computes
   ///@{
   /**
    * These are the relative errors that parts of the frame's light aim at: the user's, if

@@ -112,6 +112,7 @@ void vtkIndirectPlan::FindBounces(const vtkIndirectFrame& frame,
 {
   const bool sent = this->Senders != NO_SENDERS || this->HasSenderMaps();
   const bool walks = !estimator.ReadsMaps && !estimator.SumsSky && sent;
+  this->AskedBounces = settings.NumberOfBounces;
   this->SampledBounces = settings.NumberOfBounces;
   if (settings.NumberOfBounces == 0)
   {

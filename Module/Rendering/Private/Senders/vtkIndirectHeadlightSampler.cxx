@@ -9,14 +9,6 @@
 #include "Scene/vtkIndirectFrame.h"
 
 //------------------------------------------------------------------------------
-vtkIndirectSamplerAbilities vtkIndirectHeadlightSampler::GetAbilities() const
-{
-  vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
-  abilities.HalvesAreAlike = true;
-  return abilities;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectHeadlightSampler::Update(const Input& input)
 {
   const vtkIndirectFrame& frame = input.Frame;

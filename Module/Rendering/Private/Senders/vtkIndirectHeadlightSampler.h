@@ -14,7 +14,6 @@ public:
   void SetPattern(vtkIndirectMapSampler* pattern) { this->Pattern = pattern; }
 
   bool Update(const Input& input) override;
-  vtkIndirectSamplerAbilities GetAbilities() const override;
 
 private:
   vtkIndirectMapSampler* Pattern = nullptr;

@@ -101,14 +101,6 @@ vtkIndirectMapSampler::vtkIndirectMapSampler(vtkVirtualLightSampler* owner)
 vtkIndirectMapSampler::~vtkIndirectMapSampler() = default;
 
 //------------------------------------------------------------------------------
-vtkIndirectSamplerAbilities vtkIndirectMapSampler::GetAbilities() const
-{
-  vtkIndirectSamplerAbilities abilities = this->vtkIndirectSampler::GetAbilities();
-  abilities.HalvesAreAlike = true;
-  return abilities;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectMapSampler::Update(const Input& input)
 {
   Internals& in = *this->Internal;

@@ -87,7 +87,6 @@ public:
   virtual Drawing GetDrawing() const { return {}; }
 
   bool Update(const Input& input) override;
-  vtkIndirectSamplerAbilities GetAbilities() const override;
   vtkIndirectMapSampler* GetHeadlightPattern() override { return this; }
 
 private:

@@ -14,6 +14,8 @@
 
 namespace
 {
+using vtkIndirectSamplePattern::CosineDirection;
+using vtkIndirectSamplePattern::FindAxes;
 using vtkIndirectSamplePattern::ScrambledPoint;
 
 constexpr double Pi = 3.14159265358979323846;
@@ -50,31 +52,6 @@ constexpr int Neighbors = 8;
 double Largest(const glm::dvec3& v)
 {
   return std::max({ v.x, v.y, v.z });
-}
-
-// Makes two axes across a unit vector, by Duff et al. 2017, "Building an orthonormal basis,
-// revisited".
-void FindAxes(const glm::dvec3& n, glm::dvec3& u, glm::dvec3& v)
-{
-  const double sign = std::copysign(1.0, n.z);
-  const double a = -1.0 / (sign + n.z);
-  const double b = n.x * n.y * a;
-  u = { 1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x };
-  v = { b, sign + n.y * n.y * a, -n.y };
-}
-
-// Makes a direction with a density by the cosine to a normal.
-glm::dvec3 CosineDirection(const glm::dvec3& normal, const glm::dvec2& at)
-{
-  double x = at.x;
-  double y = at.y;
-  vtkIndirectSamplePattern::SquareToDisk(x, y);
-  const glm::dvec2 p = 2.0 * glm::dvec2(x, y) - 1.0;
-  glm::dvec3 u;
-  glm::dvec3 v;
-  FindAxes(normal, u, v);
-  return glm::normalize(
-    p.x * u + p.y * v + std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p))) * normal);
 }
 
 //------------------------------------------------------------------------------

@@ -45,6 +45,33 @@ inline void SquareToDisk(double& u, double& v)
 }
 
 /**
+ * Makes two unit axes across a unit vector: Duff et al. 2017, "Building an orthonormal basis,
+ * revisited".
+ */
+inline void FindAxes(const glm::dvec3& n, glm::dvec3& u, glm::dvec3& v)
+{
+  const double sign = std::copysign(1.0, n.z);
+  const double a = -1.0 / (sign + n.z);
+  const double b = n.x * n.y * a;
+  u = { 1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x };
+  v = { b, sign + n.y * n.y * a, -n.y };
+}
+
+/** Maps the unit square to the directions about a unit normal, with a density by the cosine. */
+inline glm::dvec3 CosineDirection(const glm::dvec3& normal, const glm::dvec2& at)
+{
+  double x = at.x;
+  double y = at.y;
+  SquareToDisk(x, y);
+  const glm::dvec2 p = 2.0 * glm::dvec2(x, y) - 1.0;
+  glm::dvec3 u;
+  glm::dvec3 v;
+  FindAxes(normal, u, v);
+  return glm::normalize(
+    p.x * u + p.y * v + std::sqrt(std::max(0.0, 1.0 - glm::dot(p, p))) * normal);
+}
+
+/**
  * Returns direction i of n, spread evenly over the cone about -z of this cosine (-1: all
  * directions): a Fibonacci lattice on the sphere, Swinbank and Purser 2006, "Fibonacci grids". No
  * direction lies on the cone's rim.

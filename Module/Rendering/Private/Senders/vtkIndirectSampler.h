@@ -49,10 +49,8 @@ struct vtkIndirectSamplerAbilities
   bool Walks = false;        // rays through the scene find lights of all bounces; no map is read
   bool TakesSenders = false; // the lights also represent given further senders
   bool Divides = false;      // the lights have branches, which near receivers sum in their place
-  // Even and odd lights are drawn alike, so that the difference of their sums shows the error.
-  bool HalvesAreAlike = false;
-  bool HasMore = false; // a still frame of the same scene would have more lights than the last
-                        // frame
+  bool HasMore = false;      // a still frame of the same scene would have more lights than the last
+                             // frame
 };
 
 class vtkIndirectSampler : public vtkIndirectResource

@@ -53,7 +53,6 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
 {
   this->NumberOfLights = 0;
   this->WithDirections = false;
-  this->WithHalvesAlike = true;
   std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> contents;
   for (const vtkIndirectSampler::Pointer& sampler : samplers)
   {
@@ -64,7 +63,6 @@ bool vtkIndirectVirtualLights::Update(const Input& input, const Samplers& sample
     this->NumberOfLights += sampler->GetActualNumberOfLights();
     const vtkIndirectSamplerAbilities abilities = sampler->GetAbilities();
     this->WithDirections = this->WithDirections || abilities.Directions;
-    this->WithHalvesAlike = this->WithHalvesAlike && abilities.HalvesAreAlike;
     contents.emplace_back(sampler.get(), sampler->GetContentTime());
   }
   // The newest of the samplers' times would not reveal that a sampler has gone.

@@ -41,8 +41,6 @@ public:
   int GetNumberOfRows() const;
   /** Returns true if some lights may be directions. */
   bool HasDirections() const { return this->WithDirections; }
-  /** Returns true if the even and the odd lights are drawn alike, those of all samplers. */
-  bool HalvesAreAlike() const { return this->WithHalvesAlike; }
   /** Returns definitions for shaders that read lights (vtkIndirectLightRow.glsl). */
   std::string GetDefinitions() const
   {
@@ -107,7 +105,6 @@ private:
   int NumberOfLights = 0;
   float ChildDistanceScale = 1.0f;
   bool WithDirections = false;
-  bool WithHalvesAlike = false;
   std::vector<std::pair<vtkIndirectSampler*, vtkMTimeType>> Contents; // samplers of the last
                                                                       // update, and their times
   vtkTimeStamp ContentTime;

@@ -1,10 +1,9 @@
 //VTK::System::Dec
 //VTK::Output::Dec
 // At one pixel in each texel of the coarsest level: luminance of the irradiance, which shows how
-// the lighting varies before the image is subdivided; and of the difference between the sums over
-// even and over odd lights, which shows how much the choice of lights matters. Also the light whose
-// curvature of the irradiance is largest there: texels between the probes compute its effect where
-// they are near to it.
+// the lighting varies before the image is subdivided; and the light whose curvature of the
+// irradiance is largest there: texels between the probes compute its effect where they are near to
+// it.
 #include "vtkIndirectSubsplatTexel.glsl"
 #ifdef VTKI_REPROJECTED
 #include "vtkIndirectLibReprojection.glsl"
@@ -32,8 +31,6 @@ bool vtkiProbeIsNeeded()
 struct vtkiProbeSums
 {
   float sum;
-  float difference;
-  float sign;
   float curvature; // largest of a light
   vec4 sender;     // position and area of that light
   vec4 normal;     // its normal; luminance of density times area
@@ -47,8 +44,6 @@ void vtkiAddToProbe(inout vtkiProbeSums sums, vec3 position, vec3 normal, vec3 o
   vtkiAddWholeLight(position, normal, open, light, sender, senderNormal, density, irradiance, unused);
   float luminance = vtkiLuminance(irradiance);
   sums.sum += luminance;
-  sums.difference += sums.sign * luminance;
-  sums.sign = -sums.sign;
   // Light from a direction does not bend the irradiance of a plane.
   vec3 toSender = sender.xyz - position;
   float spread = sender.w > 0.0f ? dot(toSender, toSender) + sender.w / VTKI_PI : 0.0f;
@@ -72,7 +67,7 @@ void main()
   vec3 open = vtkiOpenPlace(position, normal, mat3(vtkiViewToScene) * vtkiSurfaceFacet(surface),
     vtkiTexelPixel(ivec2(gl_FragCoord.xy)));
   vtkiProbeSums sums = vtkiProbeSums(
-    0.0f, 0.0f, 1.0f, 0.0f, vec4(position, 1.0f), vec4(0.0f, 0.0f, 1.0f, 0.0f));
+    0.0f, 0.0f, vec4(position, 1.0f), vec4(0.0f, 0.0f, 1.0f, 0.0f));
 #ifdef VTKI_REPROJECTED
   lit = lit && vtkiProbeIsNeeded();
 #endif
@@ -85,8 +80,7 @@ void main()
     vtkiFetchLight(i, sender, senderNormal, density);
     vtkiAddToProbe(sums, position, normal, open, vtkiFirstLight + i, sender, senderNormal, density);
   }
-  gl_FragData[0] = vec4(sums.sum * vtkiStorageScale, sums.difference * vtkiStorageScale,
-    0.0f, lit ? 1.0f : 0.0f);
+  gl_FragData[0] = vec4(sums.sum * vtkiStorageScale, 0.0f, 0.0f, lit ? 1.0f : 0.0f);
   // Texels test the light in view coordinates.
   vec3 senderVC = (sums.sender.xyz - vtkiViewToScene[3].xyz) * mat3(vtkiViewToScene);
   gl_FragData[1] = vec4(senderVC, sums.sender.w);

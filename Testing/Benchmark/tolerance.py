@@ -1,0 +1,70 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Tolerances that are asked for beside what pictures reach, and the estimated beside the measured error.
+
+    Testing/Benchmark/tolerance.py [--tolerances T,T...] SCENE...
+
+SCENE is the name of a file of Testing/Scenes that has a stored reference. Each is rendered with nothing
+set, and then by each tolerance. Prints a table: the estimated error, the RMS error over the mean to
+the reference, refinements, and seconds of wall clock of the render, with the first one's maps. The
+reference has noise of its own (Documentation/reference.md), which the measured error contains.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+
+import vtkindirect
+from vtkindirect import frames, methods, references
+
+HERE = Path(__file__).resolve().parents[1]
+AT_ONCE = 1e-4
+"""VTK's default rate of a window: pictures off screen are finished in one render."""
+TOLERANCES = (0.2, 0.1, 0.05, 0.02)
+
+
+def row(name: str, tolerance: float) -> str:
+    """Render a scene by a tolerance, 0 for none; returns a row of the table."""
+    scene = vtkindirect.load_scene(HERE / "Scenes" / f"{name}.json")
+    stored = HERE / "Reference" / "data" / f"{name}.exr"
+    size = references.natural_size(stored)
+    window = frames.open_window(scene, size)
+    try:
+        found = references.collect(scene, size, stored)
+        indirect = methods.enable(scene.renderer, "auto", ErrorTolerance=tolerance)
+        window.SetDesiredUpdateRate(AT_ONCE)
+        began = time.perf_counter()
+        window.Render()
+        window.WaitForCompletion()
+        seconds = time.perf_counter() - began
+        report = methods.report(indirect)
+        seen = {buffer: vtkindirect.copy_buffer(scene.renderer, buffer) for buffer in found.buffers()}
+        errors = found.errors(seen)
+        measured = errors[found.main].nrmse if found.main else float("nan")
+        return (
+            f"| {name} | {tolerance or 'none'} | {report['estimated_error']:.3f} | {measured:.3f} "
+            f"| {report['counters']['refinements']} | {seconds:.1f} |"
+        )
+    finally:
+        window.Finalize()
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("scenes", metavar="SCENE", nargs="+")
+    parser.add_argument("--tolerances", default=",".join(map(str, TOLERANCES)))
+    options = parser.parse_args(arguments)
+    print("| scene | asked | estimated | to the reference | refinements | s |")
+    print("|---|---|---:|---:|---:|---:|")
+    for name in options.scenes:
+        for tolerance in (0.0, *map(float, options.tolerances.split(","))):
+            print(row(name, tolerance), flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The estimated error of a picture, of every method, beside the measured one."""
+
+import unittest
+from pathlib import Path
+
+import numpy as np
+import support
+
+import vtkindirect
+from vtkindirect import frames, methods, references
+
+HERE = Path(__file__).resolve().parents[1]
+CASES = (
+    # scene, method; noise of the reference, RMS over the mean (Documentation/reference.md)
+    ("contact_corner", "auto", 0.01),
+    ("folded_sheet", "auto", 0.02),
+    ("low_sun", "auto", 0.0),
+    ("room_fire", "auto", 0.03),
+    ("frog", "auto", 0.0),
+    ("sky_machine", "auto", 0.0),
+    ("area_machine", "auto", 0.0),
+    ("room_fire", "hints", 0.03),
+    ("low_sun", "gather", 0.0),
+    ("contact_corner", "splatting", 0.01),
+    ("sky_particles", "proxies", 0.0),
+)
+FACTOR = 1.5
+"""The estimate has a standard error of an eighth, from the pixels that it looks at, and the measured
+error is that of every third pixel."""
+
+
+@unittest.skipIf(support.why_no_rendering(), support.why_no_rendering())
+class ErrorEstimate(unittest.TestCase):
+    def open(self, name: str) -> tuple[vtkindirect.Scene, references.References]:
+        scene = vtkindirect.load_scene(HERE / "Scenes" / f"{name}.json")
+        stored = HERE / "Reference" / "data" / f"{name}.exr"
+        window = frames.open_window(scene, references.natural_size(stored))
+        self.addCleanup(window.Finalize)
+        return scene, references.collect(scene, window.GetSize(), stored)
+
+    def test_every_method(self) -> None:
+        for name, method, noise in CASES:
+            with self.subTest(scene=name, method=method):
+                scene, found = self.open(name)
+                indirect = methods.enable(scene.renderer, method)
+                scene.render_window.Render()
+                estimated = vtkindirect.report(indirect)["estimated_error"]
+                errors = found.errors(
+                    {name: vtkindirect.copy_buffer(scene.renderer, name) for name in found.buffers()}
+                )
+                measured = errors[found.main].nrmse
+                print(f"{name} {method}: estimated {estimated:.4f}, measured {measured:.4f}")
+                self.assertLess(estimated, FACTOR * measured)
+                self.assertGreater(np.hypot(estimated, noise), measured / FACTOR)
+
+    def test_it_is_of_the_bounces_that_are_asked_for(self) -> None:
+        scene, _ = self.open("contact_corner")
+        indirect = methods.enable(scene.renderer, "auto", NumberOfBounces=1)
+        scene.render_window.Render()
+        self.assertLess(vtkindirect.report(indirect)["estimated_error"], 0.05)
+
+    def test_it_is_the_same_each_time_and_costs_nothing_unasked(self) -> None:
+        estimates = []
+        for _ in range(2):
+            scene, _ = self.open("contact_corner")
+            indirect = methods.enable(scene.renderer, "auto")
+            scene.render_window.Render()
+            self.assertIn('"estimated_error": null', indirect.GetReport(False))
+            estimates.append(vtkindirect.report(indirect)["estimated_error"])
+            self.assertEqual(vtkindirect.report(indirect)["estimated_error"], estimates[-1])
+        self.assertEqual(estimates[0], estimates[1])
+
+    def test_moving_frames_have_none(self) -> None:
+        scene, _ = self.open("contact_corner")
+        indirect = methods.enable(scene.renderer, "auto")
+        scene.render_window.SetDesiredUpdateRate(15.0)
+        scene.render_window.Render()
+        self.assertIsNone(vtkindirect.report(indirect)["estimated_error"])
+
+    def test_light_that_is_left_out_shows(self) -> None:
+        """Without visibility the picture is a quarter and more too bright."""
+        scene, _ = self.open("room_fire")
+        indirect = methods.enable(scene.renderer, "auto", Visibility="none")
+        scene.render_window.Render()
+        self.assertGreater(vtkindirect.report(indirect)["estimated_error"], 0.25)
+
+
+if __name__ == "__main__":
+    unittest.main()
