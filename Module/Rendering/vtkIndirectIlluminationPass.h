@@ -259,8 +259,8 @@ public:
   /**
    * Bounces of indirect light. Default 0: automatic. For estimators of virtual lights these are all
    * bounces that a random walk finds (128 at most; paths end by themselves where little light is
-   * left), and 8 for vtkRadianceHintsPass. They are 1 for a lone headlight, where only some lights
-   * with a map follow the camera, or with a sampler that joins no senders, and with the preset
+   * left), and 8 for vtkRadianceHintsPass. They are 1 where only some lights with a map follow the
+   * camera, for lights that follow it with a sampler that joins no senders, and with the preset
    * PAPER of an estimator. Range 0 to 16. The report lists bounces that neither the estimator nor a
    * walk computes under left_out, with the light of bounces after a walk's last one.
    */

@@ -34,8 +34,7 @@ public:
   /**
    * Largest number of virtual lights that all receivers sum, over all lights of the scene together.
    * There may be as few as half of these, once they lie within 4 % of the scene's diagonal of the
-   * texels that they represent, root mean square. For a headlight that is the only light, there are
-   * this many uniform lights of the surfaces that the eye sees. Setting it turns
+   * texels that they represent, root mean square. Setting it turns
    * AutomaticNumberOfLights off. Default 256, range 1 to 1048576.
    */
   void SetNumberOfLights(int number) override;

@@ -11,7 +11,6 @@
 #include "vtkIndirectVoxelPatch.h"
 
 #include "vtkActor.h"
-#include "vtkMath.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -297,7 +296,8 @@ VTK_INDIRECT_TEST(OccupancyAlbedo)
   CheckEqual("bytes of planes that no one asked for", volume.GetPlanes().GetBytes(), size_t(0));
 }
 
-// Voxels have the same reflectance as maps: coefficients of both kinds of shading count.
+// Voxels have the reflectance of surfaces under light of others: coefficients of both kinds of
+// shading count.
 VTK_INDIRECT_TEST(OccupancyMaterials)
 {
   vtkNew<vtkPlaneSource> plane;
@@ -324,6 +324,6 @@ VTK_INDIRECT_TEST(OccupancyMaterials)
     return volume.GetMeanAlbedo().x;
   };
   CheckRelative("Phong's diffuse colour", red(VTK_PHONG), 0.5 * 0.8, 1e-9, "rounding of the means");
-  CheckRelative(
-    "what is not metal, over pi", red(VTK_PBR), 0.75 * 0.5 * 0.8 / vtkMath::Pi(), 1e-9, "same");
+  CheckRelative("what is not metal: VTK's PBR divides light of vtkLights alone by pi", red(VTK_PBR),
+    0.75 * 0.5 * 0.8, 1e-9, "same");
 }

@@ -215,17 +215,17 @@ void vtkIndirectCaptureText::Add(
     !lit ? "VTKI_SURFACE_UNLIT" : (pbr ? "VTKI_SURFACE_ENCODED" : "VTKI_SURFACE_LINEAR");
   if (pbr)
   {
-    // Always one: SetShaderParameters recognises programs with encoded colours by this uniform.
-    declarations += "uniform float vtkiEncoded;\n";
+    // SetShaderParameters recognises programs with encoded colours by this uniform.
+    declarations += "uniform float vtkiLightOfPBR;\n";
   }
   declarations += "#define VTKI_ALBEDO " + albedo + "\n";
   declarations += std::string("#define VTKI_NORMAL ") + (lit ? normal : "vec3(0.0)") +
     "\n#define VTKI_FACET " + (lit ? "vtkiFacetNormalVC" : "vec3(0.0)") + "\n#define VTKI_SLOPE " +
     (lit ? "vtkiSlope" : "vec2(0.0)") + "\n#define VTKI_KIND " + kind + "\n#define VTKI_DEPTH " +
     depth +
-    // VTK's PBR divides diffuse reflection by pi, its Phong does not.
+    // VTK's PBR divides light of vtkLights by pi, its Phong does not.
     "\n#define VTKI_SENDER_SCALE " +
-    (pbr ? "(vtkiMapLight.z * vtkiEncoded / VTKI_PI)" : "vtkiMapLight.z") + "\n";
+    (pbr ? "(vtkiMapLight.z * vtkiLightOfPBR / VTKI_PI)" : "vtkiMapLight.z") + "\n";
   if (this->Soft)
   {
     declarations += "#define VTKI_SOFT\n";

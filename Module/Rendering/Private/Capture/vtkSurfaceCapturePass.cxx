@@ -38,6 +38,7 @@
 #include "vtkTextureUnitManager.h"
 #include "vtkWeakPointer.h"
 
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
@@ -116,6 +117,7 @@ struct vtkSurfaceCapturePass::Internals
     state->vtkglDepthMask(depth ? GL_TRUE : GL_FALSE);
   }
   glm::vec3 MapLight{ 0.0f };
+  float LightOfPBR = 1.0f;
   vtkIndirectTexelTriangles Triangles;
   vtkIndirectLightConstants LightConstants;
   vtkOpenGLRenderWindow* Window = nullptr;
@@ -331,7 +333,7 @@ void vtkSurfaceCapturePass::BeginDepth()
 
 //------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::DrawMap(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view,
-  int texels, const std::vector<const vtkIndirectCaster*>& casters)
+  int texels, const std::vector<const vtkIndirectCaster*>& casters, bool ofLamp)
 {
   Internals& in = *this->Internal;
   view.SetUp(in.MapCamera, frame);
@@ -350,6 +352,7 @@ void vtkSurfaceCapturePass::DrawMap(const vtkIndirectFrame& frame, const vtkIndi
   in.Renderer = frame.Renderer;
   in.SceneCenter = frame.SceneCenter;
   in.MapLight = glm::vec3(view.Parallel ? 0.0 : 1.0, texel.x, 1.0);
+  in.LightOfPBR = ofLamp ? 1.0f : glm::pi<float>();
   in.Window = frame.Window;
   in.ReserveUnit();
   for (const vtkIndirectCaster* caster : casters)
@@ -511,9 +514,9 @@ bool vtkSurfaceCapturePass::SetShaderParameters(
   {
     program->SetUniformf("vtkiMagnitude", in.Magnitude);
   }
-  if (program->IsUniformUsed("vtkiEncoded"))
+  if (program->IsUniformUsed("vtkiLightOfPBR"))
   {
-    program->SetUniformf("vtkiEncoded", 1.0f);
+    program->SetUniformf("vtkiLightOfPBR", in.LightOfPBR);
     in.Encoded = true;
   }
   if (program->IsUniformUsed("vtkiImageLight"))

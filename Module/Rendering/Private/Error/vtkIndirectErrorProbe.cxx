@@ -73,19 +73,8 @@ bool IsSmooth(const vtkIndirectErrorProbe::Images& images, int x, int y)
 //------------------------------------------------------------------------------
 void vtkIndirectErrorProbe::Clear()
 {
-  this->Key.Clear();
   this->Pixels.clear();
   this->Candidates = 0;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectErrorProbe::Begin(const vtkIndirectKey& key)
-{
-  if (this->Key.IsEmpty() || !(key == this->Key))
-  {
-    this->Clear();
-    this->Key = key;
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -8,7 +8,6 @@
 #pragma once
 
 #include "Error/vtkIndirectPathTracer.h" // for places
-#include "OpenGL/vtkIndirectKey.h"       // for a member
 
 #include <cstdint>     // for numbers
 #include <glm/glm.hpp> // for vectors
@@ -27,18 +26,18 @@ public:
     vtkImageData* Depth;
   };
 
-  /** Forgets what is known of other surfaces, lights or eyes than these. */
-  void Begin(const vtkIndirectKey& key);
   /**
    * Returns the RMS error of the irradiance over its mean, as path tracing tells it; negative if no
    * pixel can be judged. Pixels at silhouettes and creases, which path tracers draw elsewhere, and
    * pixels whose surface rays do not meet are left out. An error too small to be told from zero is
-   * the least that would be told.
+   * the least that would be told. The places and the light that rays find are kept until Clear:
+   * surfaces, lights and the eye must be the same.
    */
   double Estimate(
     const vtkIndirectFrame& frame, const vtkIndirectPathTracer& tracer, const Images& images);
   /** Returns the number of pixels of the last estimate. */
   size_t GetNumberOfPixels() const { return this->Pixels.size(); }
+  /** Forgets what rays have found, for another picture. */
   void Clear();
 
 private:
@@ -55,7 +54,6 @@ private:
   bool AddPixels(
     const vtkIndirectFrame& frame, const vtkIndirectPathTracer& tracer, const Images& images);
 
-  vtkIndirectKey Key;
   std::vector<Pixel> Pixels;
   std::uint32_t Candidates = 0;
 };

@@ -259,6 +259,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     vtkIndirectDepthTile View;
     int Layer;
     bool IsWindow;
+    bool OfLamp;
     std::vector<const vtkIndirectCaster*> Casters;
   };
   std::vector<ChangedFace> changed;
@@ -298,7 +299,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
         continue;
       }
       last = key;
-      changed.push_back({ view, layer, isWindow, std::move(casters) });
+      changed.push_back({ view, layer, isWindow, map.Light.Light != nullptr, std::move(casters) });
     }
   }
   // The view's programs compute all lights at each texel of each map.
@@ -314,7 +315,8 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     state->vtkglDepthFunc(GL_LEQUAL);
     state->vtkglDisable(GL_BLEND);
     capture->DrawMap(frame, face.View, this->Texels,
-      this->HasSenders() ? face.Casters : this->DrawShadows(frame, plan, face.View, face.Casters));
+      this->HasSenders() ? face.Casters : this->DrawShadows(frame, plan, face.View, face.Casters),
+      face.OfLamp);
     this->Target.End();
     this->StaleRows.insert(face.Layer);
     ++this->NumberOfFacesDrawn;

@@ -107,8 +107,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     circumstances.SamplerTakesSenders = sampler.TakesSenders;
   }
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
-  this->EstimatedError = -1.0;
-  this->ErrorIsEstimated = false;
+  this->ForgetError();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
   std::vector<vtkSmartPointer<vtkAreaLight>> virtualAreaLights;
   this->ClosedAreaLights.clear();
@@ -246,6 +245,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps(vtkIndirectFrameSamplers& samplers)
     if (this->Plan.LightsTurn && light.IsReflected())
     {
       turning.push_back(light);
+      turning.back().Color *= this->Frame.CastersArePhysicallyBased ? 1.0 / glm::pi<double>() : 1.0;
       light.AppendTo(source);
     }
   }

@@ -163,6 +163,9 @@ private:
   bool UpdateLightsOfBatch(const vtkIndirectFrameLight::Input& input);
   bool SumBatch(const vtkIndirectFrameLight::Input& input);
   bool MeetsTolerance();
+  void ForgetError();
+  void KeepCasters();
+  bool CastersAreThere() const;
   bool HasTime() const;
   bool RefinesSky() const;
   bool Refines(const Part& part) const;
@@ -204,7 +207,8 @@ private:
   double FrameBegan = 0.0; // on the schedule's clock
   vtkIndirectErrorProbe ErrorProbe;
   double EstimatedError = -1.0;
-  bool ErrorIsEstimated = false; // of the last frame
+  bool ErrorIsEstimated = false;                         // of the last frame
+  std::vector<vtkWeakPointer<vtkProp>> CastersOfPicture; // of the frame that made the picture
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };
   vtkIndirectSkyGather FinerSky{ this, DepthMaps, &SkyMaps };
@@ -226,7 +230,7 @@ private:
   vtkIndirectCasterBounds CasterBounds; // wide bounds of the frame's casters
   vtkIndirectPlan Plan;
   vtkWeakPointer<vtkRenderer> Renderer; // guards Frame's pointers
-  vtkEnvironmentLight* Environment = nullptr;
+  vtkWeakPointer<vtkEnvironmentLight> Environment;
   std::vector<vtkSmartPointer<vtkAreaLight>> UsableAreaLights; // includes lights that are off
   std::vector<vtkSmartPointer<vtkAreaLight>> ClosedAreaLights; // usable, and no virtual lights
   bool BuffersAreThere = false;

@@ -5,8 +5,10 @@
 #include "Pipeline/vtkIndirectPipeline.h"
 
 #include "Error/vtkIndirectPathTracer.h"
+#include "Scene/vtkIndirectRevision.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkProp.h"
 
 #include <algorithm>
 #include <iterator>
@@ -18,7 +20,7 @@ double vtkIndirectPipeline::EstimateError()
     [this](const Part& part)
     { return !part.IsAsked || (this->IsCurrent(part) && part.Light->IsComplete()); });
   if (this->ErrorIsEstimated || !this->BuffersAreThere || !this->IsInWindow() || !isWhole ||
-    this->Plan.Interactive)
+    this->Plan.Interactive || !this->Estimator || !this->CastersAreThere())
   {
     return this->EstimatedError;
   }
@@ -35,15 +37,6 @@ double vtkIndirectPipeline::EstimateError()
     this->Composite.CopyImage(images[i]);
   }
   const vtkIndirectFrameLight::Input input = this->MakeInput(this->Bounce.GetVisibility());
-  vtkIndirectKey key = this->FrameKey;
-  for (const Part& part : this->Parts)
-  {
-    if (part.IsAsked)
-    {
-      part.Light->AppendTo(key, input);
-    }
-  }
-  this->ErrorProbe.Begin(key);
   const vtkIndirectPathTracer tracer(this->Frame, this->Bounce.GetSurfaces(input),
     this->Plan.Sky ? this->Environment : nullptr, this->UsableAreaLights, this->Plan.AskedBounces);
   this->EstimatedError =
@@ -52,9 +45,40 @@ double vtkIndirectPipeline::EstimateError()
 }
 
 //------------------------------------------------------------------------------
+// Keeps the props of a new picture: between frames they may change, or be deleted.
+void vtkIndirectPipeline::KeepCasters()
+{
+  this->ErrorProbe.Clear();
+  this->CastersOfPicture.clear();
+  for (const vtkIndirectCaster& caster : this->Frame.Casters)
+  {
+    this->CastersOfPicture.emplace_back(caster.Prop);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Returns true if the frame's casters are still there, as the picture shows them.
+bool vtkIndirectPipeline::CastersAreThere() const
+{
+  return this->CastersOfPicture.size() == this->Frame.Casters.size() &&
+    std::equal(this->CastersOfPicture.begin(), this->CastersOfPicture.end(),
+      this->Frame.Casters.begin(),
+      [](const vtkWeakPointer<vtkProp>& prop, const vtkIndirectCaster& caster) {
+        return prop && prop == caster.Prop && vtkIndirectRevision::Find(prop) == caster.Revision;
+      });
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPipeline::ForgetError()
+{
+  this->EstimatedError = -1.0;
+  this->ErrorIsEstimated = false;
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectPipeline::MeetsTolerance()
 {
-  this->ErrorIsEstimated = false;
+  this->ForgetError();
   const double error = this->Plan.ErrorToleranceIsSet ? this->EstimateError() : -1.0;
   return error >= 0.0 && error <= this->Plan.ErrorTolerance;
 }

@@ -49,6 +49,10 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
     stands = stands &&
       (!part.IsAsked || (part.IsThere && part.Light->IsComplete() && !part.Light->HasMore(input)));
   }
+  if (isNew && !this->Plan.Interactive)
+  {
+    this->KeepCasters();
+  }
   if (isNew || !stands)
   {
     schedule.Restart(this->FrameBegan);

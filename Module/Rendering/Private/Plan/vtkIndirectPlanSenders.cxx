@@ -82,8 +82,9 @@ void vtkIndirectPlan::FindTurningLights(const vtkIndirectFrame& frame,
 {
   const bool skyTurns =
     this->Senders == NO_SENDERS && this->SkyBounces && circumstances.EnvironmentTurns;
-  this->LightsTurn = (this->Senders == MAPS || skyTurns) && settings.IndirectScale > 0.0 &&
-    estimator.TakesSampler && circumstances.SamplerTakesSenders && !estimator.IsOfPaper &&
+  this->LightsTurn = (this->Senders == MAPS || this->Senders == HEADLIGHT || skyTurns) &&
+    settings.IndirectScale > 0.0 && estimator.TakesSampler && circumstances.SamplerTakesSenders &&
+    !estimator.IsOfPaper &&
     std::all_of(this->MapLights.begin(), this->MapLights.end(),
       [&frame](int place)
       {
@@ -96,7 +97,7 @@ void vtkIndirectPlan::FindTurningLights(const vtkIndirectFrame& frame,
   }
   this->EstimateModelled.emplace_back("bounces of lights that follow the camera",
     "as light of the three nearest of the sky's directions, which are fixed in the world");
-  if (!settings.Shadows)
+  if (!settings.Shadows || this->Senders == HEADLIGHT)
   {
     this->Senders = NO_SENDERS;
     this->MapLights.clear();

@@ -5,7 +5,6 @@
 #include "RadianceHints/vtkIndirectHintSurfaces.h"
 #include "Scene/vtkIndirectSurfaces.h"
 #include "Visibility/vtkIndirectOccupancyVolume.h"
-#include "vtkMath.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -431,12 +430,8 @@ void vtkIndirectHintGrid::FindHits(const vtkIndirectSurfaces& surfaces)
             one.There = hint.w > 0.0f &&
               surfaces.Meet(
                 glm::dvec3(hint), directions[ray], vtkIndirectTriangleTree::None, meeting);
-            // VTK's PBR divides its diffuse reflection by pi.
-            const double reflected = !meeting.Sends ? 0.0
-              : meeting.PhysicallyBased             ? 1.0 / vtkMath::Pi()
-                                                    : 1.0;
             one.Hit = { this->Volume->ToVoxels(meeting.Position), meeting.FacetNormal,
-              reflected * meeting.Albedo };
+              meeting.Sends ? meeting.Albedo : glm::dvec3(0.0) };
           }
         }
       });

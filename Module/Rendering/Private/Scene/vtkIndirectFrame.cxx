@@ -277,6 +277,7 @@ void vtkIndirectFrame::AddOpaque(vtkProp* prop, vtkBoundingBox& box)
       vtkIndirectInformationKeys::IsSet(prop, vtkIndirectInformationKeys::SendsLight(), true);
     caster.Triangles = kind.DepthTriangles;
     this->AllSendLight = this->AllSendLight && caster.SendsLight;
+    this->CastersArePhysicallyBased = this->CastersArePhysicallyBased && kind.PhysicallyBased;
     this->SendersAreSpecular =
       this->SendersAreSpecular || (caster.SendsLight && (kind.Specular || kind.PhysicallyBased));
     this->Casters.push_back(caster);

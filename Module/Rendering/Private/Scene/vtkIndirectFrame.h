@@ -132,6 +132,7 @@ struct vtkIndirectFrame
   vtkIndirectCoarseLevels* Levels = nullptr; // coarse levels of casters, for depth maps; may be
                                              // null
   bool AllSendLight = true;                  // true if all surfaces may send light
+  bool CastersArePhysicallyBased = true;     // true if VTK's PBR lights all casters
   std::vector<vtkActor*> Refractors;         // translucent actors of glass, see vtkIndirectPropKind
   bool SendersAreSpecular = false;           // true if surfaces that send light reflect specularly
   std::vector<vtkIndirectLight> Lights;

@@ -178,6 +178,8 @@ public:
   Emission(const vtkIndirectFrame& frame, const vtkIndirectLight& light);
 
   bool IsDark() const { return this->Dark; }
+  // VTK's PBR divides light of vtkLights by pi, and no other light.
+  bool IsLamp() const { return this->Light.Light != nullptr; }
   // Makes the ray for a place of the unit square. footprint: the ray's share of all rays times
   // their number: a solid angle, or an area for a directional light.
   void MakeRay(
@@ -360,7 +362,8 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
         const double cosine = std::max(facet, LeastCosineToLight);
         carried = footprint * emission.FindStrength(direction, meeting.Distance);
         vertex.Area = footprint * emission.FindSpread(meeting.Distance) / cosine;
-        reflected *= shading / cosine * (meeting.PhysicallyBased ? 1.0 / Pi : 1.0);
+        reflected *=
+          shading / cosine * (meeting.PhysicallyBased && emission.IsLamp() ? 1.0 / Pi : 1.0);
       }
       else
       {

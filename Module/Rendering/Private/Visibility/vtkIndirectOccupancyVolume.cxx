@@ -9,7 +9,6 @@
 #include "Scene/vtkIndirectPropKind.h"
 #include "Scene/vtkIndirectSurfaces.h"
 #include "Visibility/vtkIndirectDistanceField.h"
-#include "vtkMath.h"
 #include "vtkProp.h"
 
 #include <algorithm>
@@ -215,14 +214,12 @@ void vtkIndirectOccupancyVolume::AddPolygons(
         return;
       }
       const size_t before = this->NumberOfTriangles;
-      // VTK's PBR divides its diffuse reflection by pi.
-      const double reflected = piece.Material.IsPhysicallyBased() ? 1.0 / vtkMath::Pi() : 1.0;
       for (const vtkIndirectPolygons::Triangle& triangle : piece.Triangles)
       {
         const glm::dvec3 corners[3] = { piece.Positions[triangle.Points[0]],
           piece.Positions[triangle.Points[1]], piece.Positions[triangle.Points[2]] };
-        this->AddTriangle(corners,
-          this->SurfacesAreKept ? reflected * piece.FindMeanAlbedo(triangle) : glm::dvec3(0.0));
+        this->AddTriangle(
+          corners, this->SurfacesAreKept ? piece.FindMeanAlbedo(triangle) : glm::dvec3(0.0));
       }
       there[caster] = there[caster] || this->NumberOfTriangles > before;
     });
