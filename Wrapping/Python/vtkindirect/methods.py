@@ -562,9 +562,9 @@ def pass_of(target: Any) -> Any:
     return None
 
 
-def counters(indirect: Any) -> dict[str, int]:
-    """Return the counters of a pass's report, without the cost of an estimated error."""
-    found: dict[str, int] = json.loads(indirect.GetReport(False))["counters"]
+def counters(target: Any) -> dict[str, int]:
+    """Return the counters of the report of a pass that is on, without the cost of an estimated error."""
+    found: dict[str, int] = json.loads(pass_of(target).GetReport(False))["counters"]
     return found
 
 
