@@ -129,6 +129,25 @@ class ErrorEstimate(unittest.TestCase):
                     vtkindirect.report(renderer)["estimated_error"], 0.05 if method == "auto" else 0.12
                 )
 
+    def test_surfaces_that_become_physically_based_reflect_as_those_that_were(self) -> None:
+        found = []
+        for changes in (False, True):
+            renderer = self.open_canyon(not changes)
+            headlight = vtkLight()
+            headlight.SetLightTypeToHeadlight()
+            renderer.AddLight(headlight)
+            indirect = vtkindirect.enable(renderer, lighting="scene")
+            renderer.GetRenderWindow().Render()
+            if changes:
+                before = vtkindirect.copy_buffer(indirect, "bounce").mean()
+                for actor in renderer.GetActors():
+                    actor.GetProperty().SetInterpolationToPBR()
+                    actor.GetProperty().SetRoughness(1.0)
+                renderer.GetRenderWindow().Render()
+            found.append(vtkindirect.copy_buffer(indirect, "bounce"))
+        np.testing.assert_array_equal(found[1], found[0])
+        self.assertAlmostEqual(before / found[0].mean(), np.pi, delta=0.05)
+
     def test_a_headlight_has_all_bounces(self) -> None:
         """Lights that follow the camera are taken as light of the directions around theirs."""
         scene, _ = self.open("contact_corner")

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 
 import vtkindirect
-from vtkindirect import frames, references, windows
+from vtkindirect import frames, methods, references, windows
 
 SIZE = (192, 144)
 # At SEEN somebody sees each still frame; off screen a picture at FILED is finished at once.
@@ -27,7 +27,7 @@ def irradiance(renderer: vtkRenderer) -> np.ndarray:
 
 
 def counter(renderer: vtkRenderer, name: str) -> int:
-    return vtkindirect.report(renderer)["counters"][name]
+    return methods.counters(renderer)[name]
 
 
 def rms(picture: np.ndarray, other: np.ndarray) -> float:

@@ -9,9 +9,11 @@
 #include "vtkRSMGatherPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkSphereSource.h"
+#include "vtkUniformLightSampler.h"
 
 #include <algorithm>
 #include <functional>
+#include <string>
 
 using namespace contract;
 
@@ -216,7 +218,17 @@ VTK_INDIRECT_TEST(LightHeadlight)
   vtkNew<vtkLight> head;
   head->SetLightTypeToHeadlight();
   stage.Add(head);
+  // By default its light is that of directions around its own, wherever surfaces are.
   Floats image = stage.Direct();
+  const std::string report = stage.Pass->GetReport();
+  CONTRACT_CHECK(
+    report.find("bounces of lights that follow the camera") != std::string::npos, report);
+  CONTRACT_CHECK(report.find("senders outside the view") == std::string::npos, report);
+  CONTRACT_CHECK(Mean(Read(stage.Pass, "irradiance"), 0) > 1e-4, "no indirect light");
+  // Other samplers take the surfaces that the eye sees.
+  vtkNew<vtkUniformLightSampler> even;
+  stage.Pass->SetSampler(even);
+  image = stage.Direct();
   CONTRACT_CHECK(stage.Outside(image)[0] > 0.1, "headlight");
   CONTRACT_CHECK(
     stage.Pass->GetReport().find("a headlight, from the geometry buffer") != std::string::npos,

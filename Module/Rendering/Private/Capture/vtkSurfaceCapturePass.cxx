@@ -333,7 +333,7 @@ void vtkSurfaceCapturePass::BeginDepth()
 
 //------------------------------------------------------------------------------
 void vtkSurfaceCapturePass::DrawMap(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view,
-  int texels, const std::vector<const vtkIndirectCaster*>& casters, bool ofLamp)
+  int texels, const std::vector<const vtkIndirectCaster*>& casters, bool ofVTKLight)
 {
   Internals& in = *this->Internal;
   view.SetUp(in.MapCamera, frame);
@@ -352,7 +352,7 @@ void vtkSurfaceCapturePass::DrawMap(const vtkIndirectFrame& frame, const vtkIndi
   in.Renderer = frame.Renderer;
   in.SceneCenter = frame.SceneCenter;
   in.MapLight = glm::vec3(view.Parallel ? 0.0 : 1.0, texel.x, 1.0);
-  in.LightOfPBR = ofLamp ? 1.0f : glm::pi<float>();
+  in.LightOfPBR = ofVTKLight ? 1.0f : glm::pi<float>();
   in.Window = frame.Window;
   in.ReserveUnit();
   for (const vtkIndirectCaster* caster : casters)

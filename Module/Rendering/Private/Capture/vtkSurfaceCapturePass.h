@@ -126,11 +126,11 @@ public:
    */
   void BeginDepth();
   /**
-   * Draws casters into a view of a map, which has this many texels along an edge. ofLamp: the map
-   * is of a vtkLight, whose light VTK's PBR divides by pi.
+   * Draws casters into a view of a map, which has this many texels along an edge. ofVTKLight: the
+   * map is of a vtkLight, whose light VTK's PBR divides by pi.
    */
   void DrawMap(const vtkIndirectFrame& frame, const vtkIndirectDepthTile& view, int texels,
-    const std::vector<const vtkIndirectCaster*>& casters, bool ofLamp = true);
+    const std::vector<const vtkIndirectCaster*>& casters, bool ofVTKLight = true);
   /** Ends a stage; unbinds its textures. */
   void EndStage();
   /** Returns true if the last stage drew physically based materials, whose colours are encoded. */

@@ -92,15 +92,10 @@ bool vtkIndirectErrorProbe::FindPixel(const vtkIndirectFrame& frame,
   }
   const glm::dvec3 normal = GetNormal(images, pixel.Index);
   const double depth = GetDepth(images, pixel.Index) * frame.SceneScale;
-  const glm::dvec3 h((place + 0.5) / size * 2.0 - 1.0, 1.0);
-  const auto find = [&](double along)
-  {
-    const glm::dvec3 view = frame.RayOrigin * h + along * (frame.RayDirection * h);
-    return glm::dvec3(frame.ViewToScene * glm::dvec4(view, 1.0));
-  };
+  const glm::dvec2 ndc = (place + 0.5) / size * 2.0 - 1.0;
   // A ray from just before the surface passes all that clips, culls or hides nothing of it.
-  const glm::dvec3 start = find(depth * (1.0 - MostDifference));
-  const glm::dvec3 end = find(depth * (1.0 + MostDifference));
+  const glm::dvec3 start = frame.FindPlace(ndc, depth * (1.0 - MostDifference));
+  const glm::dvec3 end = frame.FindPlace(ndc, depth * (1.0 + MostDifference));
   const glm::dvec3 direction = glm::normalize(end - start);
   if (!surfaces.Meet(start, direction, vtkIndirectTriangleTree::None, pixel.Place) ||
     pixel.Place.Distance > glm::length(end - start) ||

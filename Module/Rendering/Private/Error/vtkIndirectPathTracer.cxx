@@ -2,6 +2,7 @@
 #include "Error/vtkIndirectPathTracer.h"
 
 #include "Emitters/vtkIndirectEmitterAccess.h"
+#include "Emitters/vtkIndirectSkyProjection.h"
 #include "Error/vtkIndirectSphericalRectangle.h"
 #include "Senders/vtkIndirectSamplePattern.h"
 
@@ -14,6 +15,8 @@
 
 namespace
 {
+const auto SumColors = vtkIndirectSkyProjection::SumColors;
+
 constexpr double Pi = 3.14159265358979323846;
 // A ray begins this far from its surface, as a share of the scene's diagonal.
 constexpr double Clearance = 1e-6;
@@ -25,11 +28,6 @@ constexpr double LeastSolidAngle = 1e-4;
 constexpr int MostBounces = 256;
 // Points of the sequence that a vertex of a path takes.
 constexpr std::uint32_t PointsOfVertex = 4;
-
-double SumOf(const glm::dvec3& light)
-{
-  return light.x + light.y + light.z;
-}
 
 // Returns the place of a direction along a curve through all directions (Morton 1966), on which
 // neighbours are near each other: places that are spread along the curve are spread over the sky.
@@ -89,7 +87,7 @@ vtkIndirectPathTracer::vtkIndirectPathTracer(const vtkIndirectFrame& frame,
     {
       this->SkyDirections.push_back(glm::make_vec3(cell.Direction));
       this->SkyLight.push_back(glm::make_vec3(cell.Light));
-      this->SkySums.push_back(sum += SumOf(this->SkyLight.back()));
+      this->SkySums.push_back(sum += SumColors(this->SkyLight.back()));
     }
   }
 }
@@ -97,12 +95,10 @@ vtkIndirectPathTracer::vtkIndirectPathTracer(const vtkIndirectFrame& frame,
 //------------------------------------------------------------------------------
 void vtkIndirectPathTracer::AddLights(const Place& place, Candidates& candidates) const
 {
-  // VTK's PBR divides light of vtkLights by pi.
-  const double share = place.PhysicallyBased ? 1.0 / Pi : 1.0;
   for (const vtkIndirectLight& light : this->Lights)
   {
     glm::dvec3 end = place.Position - FarAway * light.DirectionWC;
-    double falloff = share;
+    double falloff = place.GetShareOfVTKLights();
     if (light.Positional)
     {
       end = this->Frame.ToScene(light.PositionWC);
@@ -130,7 +126,7 @@ void vtkIndirectPathTracer::AddSky(const Place& place, double number, Candidates
     this->SkySums.size() - 1);
   const double cosine = std::max(glm::dot(place.Normal, this->SkyDirections[cell]), 0.0);
   const glm::dvec3& light = this->SkyLight[cell];
-  candidates.push_back({ cosine / Pi * all / SumOf(light) * light,
+  candidates.push_back({ cosine / Pi * all / SumColors(light) * light,
     place.Position + FarAway * this->SkyDirections[cell] });
 }
 
@@ -182,7 +178,7 @@ glm::dvec3 vtkIndirectPathTracer::FindDirect(const Place& place, bool withLights
   double all = 0.0;
   for (const Candidate& candidate : candidates)
   {
-    all += SumOf(candidate.Light);
+    all += SumColors(candidate.Light);
   }
   if (!(all > 0.0) || !std::isfinite(all))
   {
@@ -192,7 +188,7 @@ glm::dvec3 vtkIndirectPathTracer::FindDirect(const Place& place, bool withLights
   const Candidate* chosen = nullptr;
   for (const Candidate& candidate : candidates)
   {
-    const double light = SumOf(candidate.Light);
+    const double light = SumColors(candidate.Light);
     if (light > 0.0 && (!chosen || left > 0.0))
     {
       chosen = &candidate;
@@ -203,7 +199,7 @@ glm::dvec3 vtkIndirectPathTracer::FindDirect(const Place& place, bool withLights
   const glm::dvec3 way = chosen->End - place.Position;
   const bool hidden = glm::dot(place.FacetNormal, way) <= 0.0 ||
     this->Surfaces.GetTree().IsBlocked(place.Position + Clearance * place.FacetNormal, chosen->End);
-  return hidden ? glm::dvec3(0.0) : chosen->Light * (all / SumOf(chosen->Light));
+  return hidden ? glm::dvec3(0.0) : chosen->Light * (all / SumColors(chosen->Light));
 }
 
 //------------------------------------------------------------------------------

@@ -259,7 +259,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     vtkIndirectDepthTile View;
     int Layer;
     bool IsWindow;
-    bool OfLamp;
+    bool OfVTKLight;
     std::vector<const vtkIndirectCaster*> Casters;
   };
   std::vector<ChangedFace> changed;
@@ -316,7 +316,7 @@ bool vtkIndirectLightMaps::Update(const vtkIndirectFrame& frame, const vtkIndire
     state->vtkglDisable(GL_BLEND);
     capture->DrawMap(frame, face.View, this->Texels,
       this->HasSenders() ? face.Casters : this->DrawShadows(frame, plan, face.View, face.Casters),
-      face.OfLamp);
+      face.OfVTKLight);
     this->Target.End();
     this->StaleRows.insert(face.Layer);
     ++this->NumberOfFacesDrawn;

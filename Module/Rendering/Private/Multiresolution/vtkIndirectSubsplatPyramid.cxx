@@ -9,7 +9,6 @@
 #include "Visibility/vtkIndirectVisibility.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace
 {
@@ -29,9 +28,8 @@ const vtkIndirectChannels RangeChannels = {
     "view", "scene units" },
 };
 const vtkIndirectChannels ProbeChannels = {
-  { "subsplat.probe", "vtkiProbe",
-    "luminance of the irradiance at a pixel of each texel, whether lit", GL_RGBA32F, "-",
-    "VTK irradiance over the frame's unit" },
+  { "subsplat.probe", "vtkiProbe", "luminance of the irradiance at a pixel of each texel", GL_R32F,
+    "-", "VTK irradiance over the frame's unit" },
   { "subsplat.sender", "vtkiProbeSender", "position and area of the light of greatest curvature",
     GL_RGBA32F, "view", "scene units" },
   { "subsplat.senderDensity", "vtkiProbeDensity",

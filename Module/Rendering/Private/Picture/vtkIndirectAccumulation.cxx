@@ -8,9 +8,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace
 {
 const vtkIndirectChannels SumChannels = {

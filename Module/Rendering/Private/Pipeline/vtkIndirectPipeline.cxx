@@ -107,7 +107,7 @@ void vtkIndirectPipeline::Prepare(const vtkRenderState* s, const Request& reques
     circumstances.SamplerTakesSenders = sampler.TakesSenders;
   }
   circumstances.OtherSamplerWalks = this->Samplers.HasOtherWalk();
-  this->ForgetError();
+  this->EstimatedError.reset();
   this->Plan = vtkIndirectPlan::Make(this->Frame, request.Settings, abilities, circumstances);
   std::vector<vtkSmartPointer<vtkAreaLight>> virtualAreaLights;
   this->ClosedAreaLights.clear();
@@ -246,7 +246,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps(vtkIndirectFrameSamplers& samplers)
     {
       turning.push_back(light);
       turning.back().Color *= this->Frame.CastersArePhysicallyBased ? 1.0 / glm::pi<double>() : 1.0;
-      light.AppendTo(source);
+      turning.back().AppendTo(source);
     }
   }
   if (this->Plan.AreaLightsBounce)

@@ -44,8 +44,9 @@
 #include "vtkTimeStamp.h"                    // for members
 #include "vtkWeakPointer.h"                  // for members
 
-#include <string> // for names
-#include <vector> // for samplers
+#include <optional> // for a member
+#include <string>   // for names
+#include <vector>   // for samplers
 
 class vtkImageData;
 class vtkLightCollection;
@@ -163,7 +164,6 @@ private:
   bool UpdateLightsOfBatch(const vtkIndirectFrameLight::Input& input);
   bool SumBatch(const vtkIndirectFrameLight::Input& input);
   bool MeetsTolerance();
-  void ForgetError();
   void KeepCasters();
   bool CastersAreThere() const;
   bool HasTime() const;
@@ -206,8 +206,7 @@ private:
   vtkIndirectRefinementSchedule Schedule;
   double FrameBegan = 0.0; // on the schedule's clock
   vtkIndirectErrorProbe ErrorProbe;
-  double EstimatedError = -1.0;
-  bool ErrorIsEstimated = false;                         // of the last frame
+  std::optional<double> EstimatedError;                  // of the last frame; see EstimateError
   std::vector<vtkWeakPointer<vtkProp>> CastersOfPicture; // of the frame that made the picture
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };

@@ -19,12 +19,11 @@ double vtkIndirectPipeline::EstimateError()
   const bool isWhole = std::all_of(std::begin(this->Parts), std::end(this->Parts),
     [this](const Part& part)
     { return !part.IsAsked || (this->IsCurrent(part) && part.Light->IsComplete()); });
-  if (this->ErrorIsEstimated || !this->BuffersAreThere || !this->IsInWindow() || !isWhole ||
+  if (this->EstimatedError || !this->BuffersAreThere || !this->IsInWindow() || !isWhole ||
     this->Plan.Interactive || !this->Estimator || !this->CastersAreThere())
   {
-    return this->EstimatedError;
+    return this->EstimatedError.value_or(-1.0);
   }
-  this->ErrorIsEstimated = true;
   this->Frame.Window->MakeCurrent();
   vtkNew<vtkImageData> images[3];
   const char* const names[] = { "irradiance", "normal", "depth" };
@@ -32,7 +31,7 @@ double vtkIndirectPipeline::EstimateError()
   {
     if (!this->RenderChannel(names[i]))
     {
-      return this->EstimatedError;
+      return -1.0;
     }
     this->Composite.CopyImage(images[i]);
   }
@@ -41,7 +40,7 @@ double vtkIndirectPipeline::EstimateError()
     this->Plan.Sky ? this->Environment : nullptr, this->UsableAreaLights, this->Plan.AskedBounces);
   this->EstimatedError =
     this->ErrorProbe.Estimate(this->Frame, tracer, { images[0], images[1], images[2] });
-  return this->EstimatedError;
+  return *this->EstimatedError;
 }
 
 //------------------------------------------------------------------------------
@@ -69,16 +68,9 @@ bool vtkIndirectPipeline::CastersAreThere() const
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPipeline::ForgetError()
-{
-  this->EstimatedError = -1.0;
-  this->ErrorIsEstimated = false;
-}
-
-//------------------------------------------------------------------------------
 bool vtkIndirectPipeline::MeetsTolerance()
 {
-  this->ForgetError();
+  this->EstimatedError.reset();
   const double error = this->Plan.ErrorToleranceIsSet ? this->EstimateError() : -1.0;
   return error >= 0.0 && error <= this->Plan.ErrorTolerance;
 }

@@ -153,8 +153,8 @@ void vtkIndirectPipeline::AddToReport(vtkIndirectReport& report) const
     }
   }
   this->AddRefinementToReport(report);
-  report.EstimatedError = this->EstimatedError;
-  if (this->EstimatedError >= 0.0)
+  report.EstimatedError = this->EstimatedError.value_or(-1.0);
+  if (report.EstimatedError >= 0.0)
   {
     report.Modelled.emplace_back("estimated error",
       "path tracing at " + std::to_string(this->ErrorProbe.GetNumberOfPixels()) + " pixels, " +

@@ -37,9 +37,6 @@ void vtkIndirectPlan::FindSenders(const vtkIndirectFrame& frame,
       return;
     }
     this->Senders = HEADLIGHT;
-    this->Modelled.emplace_back(
-      "a headlight, from the geometry buffer", "the eye sees what it lights; no shadow is visible");
-    this->LeftOut.emplace_back("senders outside the view", "the headlight has no map of its own");
     return;
   }
   for (size_t i = 0; i < frame.Lights.size(); ++i)
@@ -91,6 +88,12 @@ void vtkIndirectPlan::FindTurningLights(const vtkIndirectFrame& frame,
         const vtkIndirectLight& light = frame.Lights[static_cast<size_t>(place)];
         return !light.Positional && (light.FollowsCamera || frame.ReplacedLights);
       });
+  if (this->Senders == HEADLIGHT && !this->LightsTurn)
+  {
+    this->Modelled.emplace_back(
+      "a headlight, from the geometry buffer", "the eye sees what it lights; no shadow is visible");
+    this->LeftOut.emplace_back("senders outside the view", "the headlight has no map of its own");
+  }
   if (!this->LightsTurn)
   {
     return;

@@ -42,17 +42,14 @@ vtkIndirectHintGrid::Region vtkIndirectHintRegions::FindCoarse(const vtkIndirect
 {
   glm::dvec3 lower = frame.ToScene(vtkIndirectFrame::GetCorner(frame.SceneBounds, 0));
   glm::dvec3 upper = frame.ToScene(vtkIndirectFrame::GetCorner(frame.SceneBounds, 7));
-  const glm::dmat4 viewToScene = frame.ViewToScene;
   if (this->OfView)
   {
     glm::dvec3 least(INFINITY);
     glm::dvec3 most(-INFINITY);
     for (int corner = 0; corner < 8; ++corner)
     {
-      const glm::dvec3 ndc(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0, 1.0);
-      const double depth = corner & 4 ? frame.Far : frame.Near;
-      const glm::dvec3 view = frame.RayOrigin * ndc + depth * (frame.RayDirection * ndc);
-      const glm::dvec3 place(viewToScene * glm::dvec4(view, 1.0));
+      const glm::dvec2 ndc(corner & 1 ? 1.0 : -1.0, corner & 2 ? 1.0 : -1.0);
+      const glm::dvec3 place = frame.FindPlace(ndc, corner & 4 ? frame.Far : frame.Near);
       least = glm::min(least, place);
       most = glm::max(most, place);
     }

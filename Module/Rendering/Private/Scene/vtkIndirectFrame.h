@@ -198,6 +198,13 @@ struct vtkIndirectFrame
    * from a place, along three axes.
    */
   std::vector<glm::dvec3> FindCorners(const glm::dmat3& axes, const glm::dvec3& place) const;
+  /** Returns the place, in scene units, at a depth behind a point of the image, from -1 to 1. */
+  glm::dvec3 FindPlace(const glm::dvec2& ndc, double depth) const
+  {
+    const glm::dvec3 h(ndc, 1.0);
+    const glm::dvec3 view = this->RayOrigin * h + depth * (this->RayDirection * h);
+    return glm::dvec3(this->ViewToScene * glm::dvec4(view, 1.0));
+  }
   /** Returns the transform from an affine frame, given in world coordinates, to scene units. */
   glm::dmat4 ToScene(const glm::dmat4& frameToWorld) const;
   /**

@@ -16,12 +16,13 @@
 #include "Scene/vtkIndirectTriangleTree.h"    // for members
 #include "vtkTimeStamp.h"                     // for a member
 
-#include <cstdint>     // for numbers
-#include <functional>  // for the function that takes pieces
-#include <glm/glm.hpp> // for vectors
-#include <string>      // for reasons
-#include <utility>     // for pairs
-#include <vector>      // for pieces
+#include <cstdint>               // for numbers
+#include <functional>            // for the function that takes pieces
+#include <glm/glm.hpp>           // for vectors
+#include <glm/gtc/constants.hpp> // for pi
+#include <string>                // for reasons
+#include <utility>               // for pairs
+#include <vector>                // for pieces
 
 struct vtkIndirectCaster;
 struct vtkIndirectFrame;
@@ -46,6 +47,12 @@ public:
     bool Sends = false;                      // lit, with a normal, and not told to send nothing
     uint32_t Triangle = vtkIndirectTriangleTree::None; // or sphere
     double Distance = 0.0;
+
+    /** Returns the share of vtkLights' light that VTK does not divide away. */
+    double GetShareOfVTKLights() const
+    {
+      return this->PhysicallyBased ? glm::one_over_pi<double>() : 1.0;
+    }
   };
 
   /**

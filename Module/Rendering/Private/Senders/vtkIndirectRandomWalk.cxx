@@ -178,8 +178,7 @@ public:
   Emission(const vtkIndirectFrame& frame, const vtkIndirectLight& light);
 
   bool IsDark() const { return this->Dark; }
-  // VTK's PBR divides light of vtkLights by pi, and no other light.
-  bool IsLamp() const { return this->Light.Light != nullptr; }
+  bool IsVTKLight() const { return this->Light.Light != nullptr; }
   // Makes the ray for a place of the unit square. footprint: the ray's share of all rays times
   // their number: a solid angle, or an area for a directional light.
   void MakeRay(
@@ -363,7 +362,7 @@ vtkIndirectRandomWalk::List vtkIndirectRandomWalk::Trace(const vtkIndirectSurfac
         carried = footprint * emission.FindStrength(direction, meeting.Distance);
         vertex.Area = footprint * emission.FindSpread(meeting.Distance) / cosine;
         reflected *=
-          shading / cosine * (meeting.PhysicallyBased && emission.IsLamp() ? 1.0 / Pi : 1.0);
+          shading / cosine * (emission.IsVTKLight() ? meeting.GetShareOfVTKLights() : 1.0);
       }
       else
       {

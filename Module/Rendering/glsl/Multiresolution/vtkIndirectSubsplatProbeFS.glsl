@@ -80,7 +80,7 @@ void main()
     vtkiFetchLight(i, sender, senderNormal, density);
     vtkiAddToProbe(sums, position, normal, open, vtkiFirstLight + i, sender, senderNormal, density);
   }
-  gl_FragData[0] = vec4(sums.sum * vtkiStorageScale, 0.0f, 0.0f, lit ? 1.0f : 0.0f);
+  gl_FragData[0] = vec4(sums.sum * vtkiStorageScale, 0.0f, 0.0f, 0.0f);
   // Texels test the light in view coordinates.
   vec3 senderVC = (sums.sender.xyz - vtkiViewToScene[3].xyz) * mat3(vtkiViewToScene);
   gl_FragData[1] = vec4(senderVC, sums.sender.w);
