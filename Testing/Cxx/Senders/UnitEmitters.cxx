@@ -232,7 +232,7 @@ VTK_INDIRECT_TEST(DirectionsAround)
   light.DirectionWC = -glm::normalize(glm::dvec3(0.3, 0.8, -0.5));
   const vtkIndirectEmitters::List turning = { light };
   vtkIndirectEmitters::List emitters;
-  vtkIndirectEmitters::AddDirections(emitters, projection, nullptr, turning, true);
+  vtkIndirectEmitters::AddSteadyDirections(emitters, projection, nullptr, turning);
   CheckEqual("all directions, lit or not", static_cast<double>(emitters.size()),
     vtkIndirectEmitters::NumberOfSkyGroups);
   glm::dvec3 facing(0.0);
@@ -242,4 +242,13 @@ VTK_INDIRECT_TEST(DirectionsAround)
   }
   CheckRelative("irradiance of what faces the light", facing.x, 2.0, 1e-9, "rounding");
   CheckRelative("in blue", facing.z, 0.5, 1e-9, "rounding");
+
+  // In a picture of one view each light has its own direction, and nothing else sends.
+  vtkIndirectEmitters::List ofView;
+  vtkIndirectEmitters::AddDirections(ofView, projection, nullptr, turning);
+  CheckEqual("directions of a view", static_cast<double>(ofView.size()), 1.0);
+  CheckEqual("cosine to the light's direction",
+    glm::dot(ofView.front().DirectionWC, light.DirectionWC),
+    glm::dot(light.DirectionWC, light.DirectionWC));
+  CheckEqual("the light's strength", ofView.front().Color.x, light.Color.x);
 }

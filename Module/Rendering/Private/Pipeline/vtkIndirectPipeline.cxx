@@ -237,8 +237,7 @@ bool vtkIndirectPipeline::UpdateSenderMaps(vtkIndirectFrameSamplers& samplers)
   }
   this->Timer.Begin(vtkIndirectStageTimer::ReflectiveShadowMap);
   vtkEnvironmentLight* const sky = this->Plan.SkyBounces ? this->Environment : nullptr;
-  vtkIndirectKey source;
-  source.Add("sky", sky);
+  vtkIndirectKey source = vtkIndirectKey().Add("sky", sky);
   vtkIndirectEmitters::List turning;
   for (const vtkIndirectLight& light : this->Frame.Lights)
   {
@@ -258,8 +257,9 @@ bool vtkIndirectPipeline::UpdateSenderMaps(vtkIndirectFrameSamplers& samplers)
     vtkIndirectEmitters::List emitters;
     if (sky || this->Plan.LightsTurn)
     {
-      vtkIndirectEmitters::AddDirections(
-        emitters, this->SkyProjection, sky, turning, this->Plan.LightsTurn);
+      const bool anyView = this->Plan.LightsTurn && &samplers == &this->Samplers;
+      (anyView ? vtkIndirectEmitters::AddSteadyDirections : vtkIndirectEmitters::AddDirections)(
+        emitters, this->SkyProjection, sky, turning);
     }
     if (this->Plan.AreaLightsBounce)
     {

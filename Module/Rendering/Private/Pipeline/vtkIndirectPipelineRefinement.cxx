@@ -289,6 +289,9 @@ void vtkIndirectPipeline::AddRefinementToReport(vtkIndirectReport& report) const
   {
     const int directions = lights / vtkIndirectRefinementSchedule::LightsOfBatch * SkyOfBatch;
     std::string what = this->Plan.RefinesLights ? std::to_string(lights) + " virtual lights" : "";
+    what += this->Plan.RefinesLights && this->Plan.LightsTurn
+      ? ", each light that follows the camera from its own direction"
+      : "";
     if (this->RefinesSky())
     {
       what +=

@@ -18,7 +18,8 @@
 
 namespace
 {
-// Numbers of pieces start here: there are fewer directions of the sky.
+// Numbers of pieces start here: there are fewer directions of the sky. Lights that turn have
+// numbers below zero.
 constexpr int FirstPiece = 1024;
 constexpr int MostPiecesPerEdge = 4;
 
@@ -77,38 +78,52 @@ void JoinAlike(vtkIndirectEmitters::List& list, size_t most)
 }
 }
 
-//------------------------------------------------------------------------------
-void vtkIndirectEmitters::AddDirections(List& emitters, vtkIndirectSkyProjection& projection,
-  vtkEnvironmentLight* environment, const List& turning, bool steady)
+namespace
+{
+vtkIndirectLight MakeDirection(int number, const glm::dvec3& direction, const glm::dvec3& strength)
+{
+  vtkIndirectLight emitter;
+  emitter.Index = number;
+  emitter.DirectionWC = -direction;
+  emitter.Color = strength;
+  return emitter;
+}
+
+// Returns all groups, in the order of the coarse directions and then of those with a group of their
+// own.
+vtkIndirectEmitters::List MakeGroups(vtkIndirectSkyProjection& projection,
+  vtkEnvironmentLight* environment, const std::vector<glm::dvec3>& coarse)
 {
   const vtkIndirectSkyProjection::Result dark;
   const vtkIndirectSkyProjection::Result& sky = environment ? projection.Find(environment) : dark;
-  const std::vector<glm::dvec3> coarse = vtkIndirectDirections::MakeLattice(NumberOfSkyGroups);
-  List all;
-  auto add = [&all](int number, const glm::dvec3& direction, const glm::dvec3& strength)
-  {
-    vtkIndirectLight emitter;
-    emitter.Index = number;
-    emitter.DirectionWC = -direction;
-    emitter.Color = strength;
-    all.push_back(emitter);
-  };
+  vtkIndirectEmitters::List all;
   for (const glm::dvec3& direction : coarse)
   {
-    add(static_cast<int>(all.size()), direction, glm::dvec3(0.0));
+    all.push_back(MakeDirection(static_cast<int>(all.size()), direction, glm::dvec3(0.0)));
   }
   for (size_t i = 0; i < sky.Directions.size(); ++i)
   {
     const glm::dvec3 strength = sky.Light[i] / vtkMath::Pi();
     if (sky.IsStrong(i))
     {
-      add(NumberOfSkyGroups + static_cast<int>(i), sky.Middles[i], strength);
+      const int number = vtkIndirectEmitters::NumberOfSkyGroups + static_cast<int>(i);
+      all.push_back(MakeDirection(number, sky.Middles[i], strength));
     }
     else
     {
       all[vtkIndirectDirections::FindNearest(sky.Directions[i], coarse)].Color += strength;
     }
   }
+  return all;
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectEmitters::AddSteadyDirections(List& emitters, vtkIndirectSkyProjection& projection,
+  vtkEnvironmentLight* environment, const List& turning)
+{
+  const std::vector<glm::dvec3> coarse = vtkIndirectDirections::MakeLattice(NumberOfSkyGroups);
+  List all = MakeGroups(projection, environment, coarse);
   for (const vtkIndirectLight& light : turning)
   {
     for (const auto& [number, weight] :
@@ -117,8 +132,22 @@ void vtkIndirectEmitters::AddDirections(List& emitters, vtkIndirectSkyProjection
       all[number].Color += weight * light.Color;
     }
   }
+  emitters.insert(emitters.end(), all.begin(), all.end());
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectEmitters::AddDirections(List& emitters, vtkIndirectSkyProjection& projection,
+  vtkEnvironmentLight* environment, const List& turning)
+{
+  List all =
+    MakeGroups(projection, environment, vtkIndirectDirections::MakeLattice(NumberOfSkyGroups));
+  for (size_t i = 0; i < turning.size(); ++i)
+  {
+    all.push_back(
+      MakeDirection(-1 - static_cast<int>(i), -turning[i].DirectionWC, turning[i].Color));
+  }
   std::copy_if(all.begin(), all.end(), std::back_inserter(emitters),
-    [steady](const vtkIndirectLight& emitter) { return emitter.IsReflected() || steady; });
+    std::mem_fn(&vtkIndirectLight::IsReflected));
 }
 
 //------------------------------------------------------------------------------

@@ -25,13 +25,19 @@ constexpr int NumberOfSkyGroups = 32;
  * world, and they hold all of the sky's light. A direction with more light than a group's mean
  * share, such as a sun's, is a group of its own. Reflected light is a mean over many senders, so it
  * needs fewer directions than received light. environment: null if there is no sky.
- *   turning: directional lights that turn with the camera, if there are such. The three
- * directions around a light get its light, so that surfaces that see all three receive what the
- * light gives them. steady: groups without light are added, too, as they may get light in another
- * view.
+ *   turning: directional lights that turn with the camera, if there are such. Each adds its own
+ * direction, which serves one view.
  */
 void AddDirections(List& emitters, vtkIndirectSkyProjection& projection,
-  vtkEnvironmentLight* environment, const List& turning = {}, bool steady = false);
+  vtkEnvironmentLight* environment, const List& turning = {});
+
+/**
+ * Adds the same groups for all views. The three directions around a turning light get its light, so
+ * that surfaces that see all three receive what the light gives them. Groups without light are
+ * added, too, as they may get light in another view.
+ */
+void AddSteadyDirections(List& emitters, vtkIndirectSkyProjection& projection,
+  vtkEnvironmentLight* environment, const List& turning);
 
 /** Largest number of pieces of area lights: each has a map of five faces. */
 constexpr size_t MostPieces = 64;

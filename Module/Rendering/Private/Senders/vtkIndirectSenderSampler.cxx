@@ -196,6 +196,15 @@ bool vtkIndirectSenderSampler::DrawMaps(
 }
 
 //------------------------------------------------------------------------------
+// Returns true if each surface faces the emitter of one of the maps.
+bool vtkIndirectSenderSampler::SeesAllSides() const
+{
+  return this->Emitters.size() >= vtkIndirectEmitters::NumberOfSkyGroups ||
+    std::any_of(this->Emitters.begin(), this->Emitters.end(),
+      [](const vtkIndirectLight& emitter) { return emitter.Positional; });
+}
+
+//------------------------------------------------------------------------------
 // Reads the texels that send light, each once for a map.
 bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
 {
@@ -205,9 +214,14 @@ bool vtkIndirectSenderSampler::ReadSenders(const Input& input)
   {
     return false;
   }
-  // Receivers that cast no shadows are missing from the maps.
-  if (input.Frame.NumberOfOtherReceivers == 0)
+  // Receivers that cast no shadows are missing from the maps. Maps of few directions miss surfaces
+  // along them, which the vertices of paths show.
+  if (input.Frame.NumberOfOtherReceivers == 0 && (input.Further || this->SeesAllSides()))
   {
+    for (size_t i = 0; input.Further && i < input.Further->Senders.size(); ++i)
+    {
+      places.push_back(input.Further->Senders[i].Position);
+    }
     // No texel may show a small caster. The middle of its bounds lies in its hull.
     for (const vtkIndirectCaster& caster : input.Frame.Casters)
     {

@@ -65,6 +65,7 @@ protected:
 private:
   bool UpdateScene(const vtkIndirectFrame& frame);
   int FindTexels(const vtkIndirectFrame& frame, const vtkIndirectPlan& plan) const;
+  bool SeesAllSides() const;
   bool ReadSenders(const Input& input);
   bool MakeSteadyLights(const Input& input, bool anew);
   std::vector<glm::dvec3> FindStrengths() const;
