@@ -62,7 +62,7 @@ class Pages(unittest.TestCase):
     def test_tables_are_made_of_the_rows(self) -> None:
         rows = rows_of("all")
         page = (publish.DOCUMENTATION / "speed-vs-error.md").read_text(encoding="utf-8")
-        self.assertIn(publish.at_a_glance(rows), page)
+        self.assertIn(publish.summary_of_all(rows), page)
         for name, table in publish.TABLES.items():
             text = (ROOT / name).read_text(encoding="utf-8")
             self.assertEqual(text.count(publish.BEGIN), 1, name)
