@@ -108,18 +108,49 @@ class ErrorEstimate(unittest.TestCase):
                 print(f"{name} kit={kit}: first {estimated[0]:.2f}, refined {estimated[1]:.2f}")
                 self.assertLess(estimated[1], MOST_OF_REFINED[name])
 
+    def test_a_wall_lights_a_floor_along_which_the_light_shines(self) -> None:
+        # The light's map shows no floor, and the middle of the floor lies behind the wall.
+        for bounces in (0, 1):
+            with self.subTest(bounces=bounces):
+                renderer = self.open_planes(
+                    ((-2, 0, 0), (2, 0, 0), (-2, 4, 0)), ((-2, 1, 0), (2, 1, 0), (-2, 1, 1))
+                )
+                camera = renderer.GetActiveCamera()
+                camera.SetPosition(0.0, -2.0, 0.5)
+                camera.SetFocalPoint(0.0, 1.0, 0.5)
+                camera.SetViewUp(0, 0, 1)
+                headlight = vtkLight()
+                headlight.SetLightTypeToHeadlight()
+                renderer.AddLight(headlight)
+                vtkindirect.enable(
+                    renderer, lighting="scene", NumberOfBounces=bounces, NumberOfRefinements=1
+                )
+                renderer.GetRenderWindow().Render()
+                # Measured 0.04 and 0.03, and above 1 where the wall counts as outermost.
+                self.assertLess(vtkindirect.report(renderer)["estimated_error"], 0.1)
+
     def open_canyon(self, physical: bool) -> vtkRenderer:
         """Return the renderer of two walls, a floor and an end, of white paint or VTK's PBR."""
-        window = windows.render_window((192, 192), offscreen=True)
-        self.addCleanup(window.Finalize)
-        renderer = vtkRenderer()
-        renderer.AutomaticLightCreationOff()
-        for origin, point1, point2 in (
+        renderer = self.open_planes(
             ((0, 0, 0), (1, 0, 0), (0, 3, 0)),
             ((0, 0, 0), (0, 3, 0), (0, 0, 1)),
             ((1, 0, 0), (1, 0, 1), (1, 3, 0)),
             ((0, 3, 0), (1, 3, 0), (0, 3, 1)),
-        ):
+            physical=physical,
+        )
+        camera = renderer.GetActiveCamera()
+        camera.SetPosition(0.5, -1.5, 1.2)
+        camera.SetFocalPoint(0.5, 1.5, 0.3)
+        camera.SetViewUp(0, 0, 1)
+        return renderer
+
+    def open_planes(self, *corners: tuple, physical: bool = False) -> vtkRenderer:
+        """Return the renderer of planes by an origin and two points, of white paint or VTK's PBR."""
+        window = windows.render_window((192, 192), offscreen=True)
+        self.addCleanup(window.Finalize)
+        renderer = vtkRenderer()
+        renderer.AutomaticLightCreationOff()
+        for origin, point1, point2 in corners:
             plane = vtkPlaneSource()
             plane.SetOrigin(origin)
             plane.SetPoint1(point1)
@@ -130,10 +161,6 @@ class ErrorEstimate(unittest.TestCase):
                 actor.GetProperty().SetInterpolationToPBR()
                 actor.GetProperty().SetRoughness(1.0)
             renderer.AddActor(actor)
-        camera = renderer.GetActiveCamera()
-        camera.SetPosition(0.5, -1.5, 1.2)
-        camera.SetFocalPoint(0.5, 1.5, 0.3)
-        camera.SetViewUp(0, 0, 1)
         window.AddRenderer(renderer)
         return renderer
 
