@@ -3,6 +3,7 @@
 
 import time
 import unittest
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -14,6 +15,7 @@ from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 import vtkindirect
 from vtkindirect import frames, methods, references, windows
 
+SCENES = Path(__file__).resolve().parents[1] / "Scenes"
 SIZE = (192, 144)
 # At SEEN somebody sees each still frame; off screen a picture at FILED is finished at once.
 FILED, SEEN, MOVING = 1e-4, 0.01, 15.0
@@ -102,6 +104,22 @@ class Refinement(unittest.TestCase):
         self.assertEqual(counter(renderer, "refinements"), 1)
         self.assertEqual(counter(renderer, "batches_left"), 0)
         np.testing.assert_array_equal(irradiance(renderer), stepwise)
+
+    def test_light_of_rectangles_is_finished_at_once_and_once(self) -> None:
+        scene = vtkindirect.load_scene(SCENES / "area_machine.json")
+        self.window = frames.open_window(scene, SIZE)
+        self.addCleanup(self.window.Finalize)
+        self.window.SetDesiredUpdateRate(FILED)
+        indirect = methods.enable(scene.renderer, "auto", NumberOfRefinements=1)
+        self.render()
+        first = irradiance(scene.renderer)
+        estimated = vtkindirect.report(indirect)["estimated_error"]
+        drawn = counter(indirect, "tiles_drawn")
+        self.assertEqual(counter(indirect, "tiles_left"), 0)
+        self.render()
+        self.assertEqual(counter(indirect, "tiles_drawn"), drawn)
+        np.testing.assert_array_equal(irradiance(scene.renderer), first)
+        self.assertEqual(vtkindirect.report(indirect)["estimated_error"], estimated)
 
     def test_a_finished_picture_has_no_more_textures_than_the_first(self) -> None:
         renderer = self.add_room(1)

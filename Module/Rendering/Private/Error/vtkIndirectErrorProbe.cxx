@@ -142,9 +142,11 @@ bool vtkIndirectErrorProbe::AddPixels(
 double vtkIndirectErrorProbe::Estimate(
   const vtkIndirectFrame& frame, const vtkIndirectPathTracer& tracer, const Images& images)
 {
-  for (bool adds = true; adds;)
+  // The pixels of an earlier estimate may suffice.
+  bool adds = true;
+  for (bool knows = this->Pixels.size() >= FewestPixels; adds; knows = false)
   {
-    adds = this->Pixels.size() < MostPixels && this->AddPixels(frame, tracer, images);
+    adds = knows || (this->Pixels.size() < MostPixels && this->AddPixels(frame, tracer, images));
     double mean = 0.0;
     double sum = 0.0;
     double squares = 0.0;

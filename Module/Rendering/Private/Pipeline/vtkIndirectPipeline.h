@@ -171,6 +171,7 @@ private:
   bool Refines(const Part& part) const;
   bool DrawMapsOfBatch();
   bool SumOpening();
+  bool SumFurtherPoints(const vtkIndirectFrameLight::Input& input);
   std::vector<vtkIndirectContribution> GetRefined() const;
   bool ShowRefinement();
   void ReleaseRefinement();

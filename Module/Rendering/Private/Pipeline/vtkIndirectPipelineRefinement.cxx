@@ -57,6 +57,7 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
   {
     schedule.Restart(this->FrameBegan);
   }
+  stands = stands && (!this->Plan.FinishesAtOnce || this->SumFurtherPoints(input));
   if (stands && (this->Plan.FinishesAtOnce || !isNew))
   {
     const bool fades = schedule.GetShare() < 1.0;
@@ -163,6 +164,28 @@ bool vtkIndirectPipeline::SumOpening()
     this->Accumulation.Keep(this->Frame, light.Contributions) &&
     this->Accumulation.Show(this->Frame, this->Parts[1].Result.Contributions, 1.0);
   this->ReleaseRefinement();
+  return done;
+}
+
+//------------------------------------------------------------------------------
+// Sums the light of further points of rectangles, which otherwise further frames do, in half of the
+// seconds that the picture may take. Returns false, after an error, when OpenGL refuses.
+bool vtkIndirectPipeline::SumFurtherPoints(const vtkIndirectFrameLight::Input& input)
+{
+  Part& part = this->Parts[2];
+  const double seconds = this->Plan.RefinementSeconds;
+  vtkIndirectFrameLight::Input own = input;
+  own.Still = true;
+  bool done = true;
+  while (done && part.IsAsked && part.Result.State == vtkIndirectEstimate::REFINING &&
+    (seconds == 0.0 ||
+      vtkIndirectRefinementSchedule::ReadClock() < this->FrameBegan + 0.5 * seconds))
+  {
+    done = part.Light->Update(own) && this->DrawMapsOfBatch();
+    part.Result = done ? part.Light->MakeEstimate(own) : vtkIndirectEstimate();
+    part.IsThere = done = part.Result.State != vtkIndirectEstimate::FAILED;
+    part.Time = part.Light->GetEstimateTime();
+  }
   return done;
 }
 
