@@ -59,6 +59,7 @@ struct CatcherScene : View
     camera->SetClippingRange(catches ? 2.0 : 0.01, catches ? 5.0 : 200.0);
     this->Renderer->AutomaticLightCreationOff();
     this->Renderer->SetPass(this->Pass);
+    this->Pass->SetNumberOfRefinements(0);
     this->Pass->SetErrorTolerance(0.035); // as many directions of the sky in all frames
   }
 
