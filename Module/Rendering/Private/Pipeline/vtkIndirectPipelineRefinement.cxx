@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -177,10 +178,14 @@ bool vtkIndirectPipeline::SumFurtherPoints(const vtkIndirectFrameLight::Input& i
   vtkIndirectFrameLight::Input own = input;
   own.Still = true;
   bool done = true;
+  // Maps that OpenGL has no room for are never there.
+  int left = std::numeric_limits<int>::max();
   while (done && part.IsAsked && part.Result.State == vtkIndirectEstimate::REFINING &&
+    part.Light->GetNumberOfTilesLeft() < left &&
     (seconds == 0.0 ||
       vtkIndirectRefinementSchedule::ReadClock() < this->FrameBegan + 0.5 * seconds))
   {
+    left = part.Light->GetNumberOfTilesLeft();
     done = part.Light->Update(own) && this->DrawMapsOfBatch();
     part.Result = done ? part.Light->MakeEstimate(own) : vtkIndirectEstimate();
     part.IsThere = done = part.Result.State != vtkIndirectEstimate::FAILED;
