@@ -169,29 +169,24 @@ bool vtkIndirectPipeline::SumOpening()
 }
 
 //------------------------------------------------------------------------------
-// Sums the light of further points of rectangles, which otherwise further frames do, in half of the
-// seconds that the picture may take. Returns false, after an error, when OpenGL refuses.
+// Sums the light of further points of rectangles, as further frames do, in half of the seconds that
+// the picture may take. Returns false, after an error, when OpenGL refuses.
 bool vtkIndirectPipeline::SumFurtherPoints(const vtkIndirectFrameLight::Input& input)
 {
   Part& part = this->Parts[2];
   const double seconds = this->Plan.RefinementSeconds;
-  vtkIndirectFrameLight::Input own = input;
-  own.Still = true;
-  bool done = true;
   // Maps that OpenGL has no room for are never there.
   int left = std::numeric_limits<int>::max();
-  while (done && part.IsAsked && part.Result.State == vtkIndirectEstimate::REFINING &&
+  while (part.IsAsked && part.Result.State == vtkIndirectEstimate::REFINING &&
     part.Light->GetNumberOfTilesLeft() < left &&
     (seconds == 0.0 ||
       vtkIndirectRefinementSchedule::ReadClock() < this->FrameBegan + 0.5 * seconds))
   {
     left = part.Light->GetNumberOfTilesLeft();
-    done = part.Light->Update(own) && this->DrawMapsOfBatch();
-    part.Result = done ? part.Light->MakeEstimate(own) : vtkIndirectEstimate();
-    part.IsThere = done = part.Result.State != vtkIndirectEstimate::FAILED;
-    part.Time = part.Light->GetEstimateTime();
+    this->UpdatePart(part, input);
+    this->SumPart(part, input, part.IsNew && this->DrawMapsOfBatch());
   }
-  return done;
+  return !part.IsAsked || part.IsThere;
 }
 
 //------------------------------------------------------------------------------
