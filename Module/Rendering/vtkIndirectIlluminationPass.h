@@ -311,11 +311,14 @@ public:
 
   ///@{
   /**
-   * Number of times, 0 to 3, that a still picture is summed anew of four times as many virtual
-   * lights, and directions of the sky: of 2048, 8192 and 32768. While nothing changes, each frame
-   * draws the depth maps of 64 of each and sums their light, a frame of IdleFrames as many as there
-   * is time for; when all of them are there, the finer picture takes the place of the one before,
-   * on a screen within eight frames. A picture off screen, at an update rate of 0.001 or less, is
+   * Number of times, 0 to 3, that a still picture is refined. The first refinement sums it anew, of
+   * 2048 virtual lights and as many directions of the sky, and path tracing on the processor
+   * corrects it, by up to 2 million paths; the others have four and sixteen times as many paths.
+   * Pictures whose light paths do not know (glass, specular senders; the report names the reason)
+   * are summed of 8192 and 32768 lights instead. While nothing changes, each frame draws the depth
+   * maps of 64 lights and directions, sums their light and traces a part of the paths, a frame of
+   * IdleFrames as many as there is time for; when all of them are there, the finer picture takes
+   * the place of the one before, on a screen within eight frames. A picture off screen, at an update rate of 0.001 or less, is
    * refined at once. Render while the report's batches_left is above 0. With an ErrorTolerance
    * refinement ends when the estimated error meets it.
    * Default -1, automatic: 2 on a screen, where IdleFrames draw them; 3 with a TimeBudget or an
@@ -329,8 +332,8 @@ public:
   ///@{
   /**
    * Seconds that a still picture may take. With it a picture is refined once, of as many virtual
-   * lights as there is time for by the time of the first batches: 1024 or more, at most those of
-   * NumberOfRefinements. The seconds begin with the render that completes the first picture,
+   * lights as there is time for by the time of the first batches, 1024 or more, and then of as many
+   * paths: at most those of NumberOfRefinements. The seconds begin with the render that completes the first picture,
    * which is drawn in any case. Pictures depend on the
    * machine's load then. Default 0: no limit, and the same picture on any machine. Range 0 to 1e6.
    */

@@ -63,8 +63,8 @@ single properties changed; nothing is reused between frames. See [radiance hints
 """
 
 CONVERGENCE = """
-A picture that is [left alone](../guide.md#a-picture-left-alone): the first one, and its refinements of 2048 and of 8192
-virtual lights, beside the path tracer, raw and denoised. Times are those until the picture is there, from the first frame
+A picture that is [left alone](../guide.md#a-picture-left-alone): the first one, and its refinements, of 2048
+virtual lights and of paths that [correct it](../methods/path-correction.md), beside the path tracer, raw and denoised. Times are those until the picture is there, from the first frame
 of a new window, shaders and maps included; those of the path tracer leave out its start and the building of its scene.
 """
 
@@ -527,9 +527,7 @@ def beside_the_tracer(results: list[dict[str, Any]]) -> str:
             behind.append(f"{row['scene']} {name}")
     said = (
         "Numbers of pictures are numbers of refinements. In no more time, the denoised path tracer is "
-        f"nearer to the truth in: {', '.join(behind)}. Each light stands for a cluster of senders, "
-        "which is seen or hidden as a whole: near many small surfaces the error falls with the number "
-        "of clusters alone, where a denoiser averages a path tracer's noise."
+        f"nearer to the truth in: {', '.join(behind)}."
         if behind
         else "Numbers of pictures are numbers of refinements. The denoised path tracer is nearer to "
         "the truth in none of these scenes in the time of a picture."

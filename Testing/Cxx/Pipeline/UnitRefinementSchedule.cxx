@@ -147,3 +147,60 @@ VTK_INDIRECT_TEST(RefinementsFade)
     CheckEqual("share before", shares[last - 1], 1.0);
   }
 }
+
+// With paths, lights end at 2048: further refinements trace rounds of paths alone, as many batches
+// as lights would be.
+VTK_INDIRECT_TEST(RefinementsWithPaths)
+{
+  Schedule schedule;
+  schedule.SetLimits({ 2, 0.0, false, true }, 0.0);
+  schedule.Restart(0.0);
+  int summed = 0;
+  int begun = 0;
+  int finished = 0;
+  std::vector<int> traced(32, 0);
+  for (; schedule.HasBatch(); finished += schedule.EndBatch(0.0))
+  {
+    CheckEqual("lights", schedule.GetNumberOfLights(), 2048);
+    summed += schedule.SumsLights();
+    begun += schedule.IsAtBegin();
+    ++traced[static_cast<size_t>(schedule.GetBatch().Number)];
+  }
+  CheckEqual("batches of lights", summed, 32);
+  CheckEqual("refinements that begin", begun, 2);
+  CheckEqual("refinements that end", finished, 2);
+  Check("each part has five rounds", traced == std::vector<int>(32, 5));
+  CheckEqual("lights of the picture", schedule.GetLightsOfPicture(), 2048);
+}
+
+// Within seconds, rounds are added as long as there is time.
+VTK_INDIRECT_TEST(PathsWithinSeconds)
+{
+  struct Case
+  {
+    const char* What;
+    double Seconds;
+    int Refinements;
+    int Lights;
+    int Rounds;
+  };
+  // The first batch takes 0.5 seconds, each other one 0.1.
+  const Case cases[] = {
+    { "no time for a batch", 0.9, 3, 0, 0 },
+    { "time for 20 batches of lights", 1.6 + 2.05, 3, 20 * 64, 1 },
+    { "time for all lights", 1.6 + 3.05, 3, 2048, 1 },
+    { "time for two more rounds", 1.6 + 3.0 + 7.0, 3, 2048, 3 },
+    { "time for more than is asked for", 1.0e6, 2, 2048, 4 },
+  };
+  for (const Case& c : cases)
+  {
+    Run run;
+    run.Do({ c.Refinements, c.Seconds, false, true });
+    CheckEqual(std::string(c.What) + ": lights", run.Lights, c.Lights);
+    const int anew = c.Lights > 0 && c.Lights < 2048 ? 2 : 0; // batches that measure the time
+    CheckEqual(std::string(c.What) + ": batches", c.Lights > 0 ? run.Batches - anew : 0,
+      c.Rounds * c.Lights / 64);
+    Check(std::string(c.What) + ": in time",
+      run.Now <= std::max(c.Seconds, run.Picture + run.First + run.Batch) + 1.0e-9);
+  }
+}

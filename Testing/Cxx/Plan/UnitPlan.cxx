@@ -330,6 +330,39 @@ VTK_INDIRECT_TEST(PlanRefinements)
   Check("without its lights", !sky.RefinesLights);
 }
 
+// Path tracing corrects refined pictures, unless something shines that paths know nothing of.
+VTK_INDIRECT_TEST(PlanPaths)
+{
+  vtkIndirectFrame frame = MakeFrame({ MakeLight() });
+  vtkIndirectSettings settings;
+  settings.Visibility = vtkIndirectVisibilityMaps;
+  settings.NumberOfRefinements = 1;
+  vtkIndirectAbilities estimator;
+  estimator.Refines = estimator.TakesLightMaps = estimator.SumsLobes = true;
+  const vtkIndirectCircumstances circumstances;
+  const auto traces = [&]
+  { return vtkIndirectPlan::Make(frame, settings, estimator, circumstances).TracesPaths; };
+  const auto why = [&]
+  {
+    const auto entries = vtkIndirectPlan::Make(frame, settings, estimator, circumstances).LeftOut;
+    const auto found = std::find_if(entries.begin(), entries.end(),
+      [](const auto& entry) { return entry.first == "correction by path tracing"; });
+    return found == entries.end() ? std::string() : found->second;
+  };
+  Check("a refined picture", traces());
+  Check("has nothing to say", why().empty());
+  settings.IndirectScale = 0.5;
+  Check("half of the light: none", !traces());
+  Check("half of the light: why", why() == "IndirectScale is not 1");
+  settings.IndirectScale = 1.0;
+  frame.SendersAreSpecular = true;
+  Check("specular surfaces: none", !traces());
+  Check("specular surfaces: why", why() == "paths are not reflected specularly");
+  settings.NumberOfRefinements = 0;
+  Check("no refinement: none", !traces());
+  Check("no refinement: nothing to say", why().empty());
+}
+
 // Number of maps that a frame draws.
 VTK_INDIRECT_TEST(PlanTiles)
 {

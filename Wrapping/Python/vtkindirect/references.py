@@ -11,8 +11,8 @@
   environment or area lights, because R1, R2 and R3 know VTK's lights only and an image holds all
   light.
 
-Where none is stored, the default method itself makes them (`refined`): a picture left alone, of 32,768
-virtual lights, whose error is estimated.
+Where none is stored, the default method itself makes them (`refined`): a picture left alone, refined
+three times, whose error is estimated.
 
 A stored reference may be smaller than the image it judges, by an odd factor: its pixels are then
 the centres of blocks of pixels, and the very same points are compared. R1 has the size of the stored

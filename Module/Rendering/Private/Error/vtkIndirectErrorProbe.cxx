@@ -90,20 +90,34 @@ bool vtkIndirectErrorProbe::FindPixel(const vtkIndirectFrame& frame,
   {
     return false;
   }
-  const glm::dvec3 normal = GetNormal(images, pixel.Index);
-  const double depth = GetDepth(images, pixel.Index) * frame.SceneScale;
-  const glm::dvec2 ndc = (place + 0.5) / size * 2.0 - 1.0;
+  return FindPlace(frame, surfaces, images, pixel.Index, pixel.Place);
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectErrorProbe::FindPlace(const vtkIndirectFrame& frame,
+  const vtkIndirectSurfaces& surfaces, const Images& images, vtkIdType index,
+  vtkIndirectPathTracer::Place& place)
+{
+  const glm::dvec3 normal = GetNormal(images, index);
+  const double depth = GetDepth(images, index) * frame.SceneScale;
+  if (!(depth > 0.0) || !(glm::dot(normal, normal) > 0.5))
+  {
+    return false;
+  }
+  const glm::dvec2 size(frame.Size[0], frame.Size[1]);
+  const glm::dvec2 pixel(
+    static_cast<double>(index % frame.Size[0]), static_cast<double>(index / frame.Size[0]));
+  const glm::dvec2 ndc = (pixel + 0.5) / size * 2.0 - 1.0;
   // A ray from just before the surface passes all that clips, culls or hides nothing of it.
   const glm::dvec3 start = frame.FindPlace(ndc, depth * (1.0 - MostDifference));
   const glm::dvec3 end = frame.FindPlace(ndc, depth * (1.0 + MostDifference));
   const glm::dvec3 direction = glm::normalize(end - start);
-  if (!surfaces.Meet(start, direction, vtkIndirectTriangleTree::None, pixel.Place) ||
-    pixel.Place.Distance > glm::length(end - start) ||
-    glm::dot(pixel.Place.Normal, normal) < LeastCosine)
+  if (!surfaces.Meet(start, direction, vtkIndirectTriangleTree::None, place) ||
+    place.Distance > glm::length(end - start) || glm::dot(place.Normal, normal) < LeastCosine)
   {
     return false;
   }
-  pixel.Place.Normal = glm::normalize(normal);
+  place.Normal = glm::normalize(normal);
   return true;
 }
 

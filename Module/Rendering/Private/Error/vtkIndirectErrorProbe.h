@@ -35,6 +35,12 @@ public:
    */
   double Estimate(
     const vtkIndirectFrame& frame, const vtkIndirectPathTracer& tracer, const Images& images);
+  /**
+   * Finds the surface that a pixel shows, with the normal that it shows. Returns false if rays do
+   * not meet it; the irradiance is not read.
+   */
+  static bool FindPlace(const vtkIndirectFrame& frame, const vtkIndirectSurfaces& surfaces,
+    const Images& images, vtkIdType index, vtkIndirectPathTracer::Place& place);
   /** Returns the number of pixels of the last estimate. */
   size_t GetNumberOfPixels() const { return this->Pixels.size(); }
   /** Forgets what rays have found, for another picture. */

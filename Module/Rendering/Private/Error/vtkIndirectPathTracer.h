@@ -42,6 +42,12 @@ public:
    * give independent estimates. Several threads may call it at once.
    */
   glm::dvec3 FindIrradiance(const Place& place, std::uint32_t seed, int paths) const;
+  /**
+   * Adds the irradiance that each of further paths gives to a sum, and the mean square of its three
+   * channels to `squares`. first: number of paths of this seed that have been summed before.
+   */
+  void AddPaths(const Place& place, std::uint32_t seed, int first, int paths, glm::vec3& sum,
+    float& squares) const;
 
   const vtkIndirectSurfaces& GetSurfaces() const { return this->Surfaces; }
 

@@ -91,6 +91,29 @@ void vtkIndirectAccumulation::Finish()
 }
 
 //------------------------------------------------------------------------------
+bool vtkIndirectAccumulation::Repeat(const vtkIndirectFrame& frame)
+{
+  bool repeated = this->Resize(frame, this->Kept.size(), this->Sums);
+  for (size_t i = 0; repeated && i < this->Kept.size(); ++i)
+  {
+    repeated = this->Draw(frame, *this->Kept[i], 0, 1.0, false, *this->Sums[i]);
+  }
+  return repeated;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectAccumulation::Correct(
+  const vtkIndirectFrame& frame, const std::vector<float>& light)
+{
+  if (this->Kept.empty() || !this->Resize(frame, 1, this->Added))
+  {
+    return false;
+  }
+  this->Added.front()->Write(0, light);
+  return this->Draw(frame, *this->Added.front(), 0, 1.0, true, *this->Kept.front());
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectAccumulation::Show(
   const vtkIndirectFrame& frame, const Contributions& picture, double share)
 {

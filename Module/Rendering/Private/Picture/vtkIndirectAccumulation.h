@@ -31,6 +31,10 @@ public:
     const vtkIndirectFrame& frame, size_t number, const vtkIndirectContribution& light, bool first);
   /** Keeps the sum of all batches, and the light before for Show. */
   void Finish();
+  /** Sums the light that is kept, as if it were that of all batches. */
+  bool Repeat(const vtkIndirectFrame& frame);
+  /** Adds light, four floats a pixel, to the first contribution that is kept. */
+  bool Correct(const vtkIndirectFrame& frame, const std::vector<float>& light);
   /** Writes this share of the light that is kept, and the rest of the light before, into images. */
   bool Show(const vtkIndirectFrame& frame, const Contributions& picture, double share);
 
@@ -44,5 +48,6 @@ private:
   Images Before;
   Images Kept;
   Images Sums;
+  Images Added;
   vtkIndirectFullScreenProgram Copy{ this, "vtkIndirectAccumulateFS.glsl" };
 };

@@ -13,9 +13,10 @@
 //------------------------------------------------------------------------------
 vtkIndirectBounceLight::vtkIndirectBounceLight(vtkIndirectResource* owner,
   vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps,
-  vtkIndirectDepthMaps::ClientType client)
+  vtkIndirectDepthMaps::ClientType client, bool keepsSurfaces)
   : vtkIndirectFrameLight(owner)
   , Samplers(samplers)
+  , KeepsSurfaces(keepsSurfaces)
   , Visibility(this, maps, client)
 {
 }
@@ -65,7 +66,7 @@ const vtkIndirectBlockingSpheres* vtkIndirectBounceLight::UpdateSurfaces(
   {
     this->Surfaces.Update(input.Frame, spheres);
   }
-  else
+  else if (!this->KeepsSurfaces)
   {
     this->Surfaces.Clear();
   }

@@ -16,9 +16,10 @@ class vtkVirtualLightSampler;
 class vtkIndirectBounceLight : public vtkIndirectFrameLight
 {
 public:
-  /** client: of the depth maps. */
+  /** client: of the depth maps; keepsSurfaces: those that only GetSurfaces has asked for, too. */
   vtkIndirectBounceLight(vtkIndirectResource* owner, vtkIndirectFrameSamplers& samplers,
-    vtkIndirectDepthMaps& maps, vtkIndirectDepthMaps::ClientType client);
+    vtkIndirectDepthMaps& maps, vtkIndirectDepthMaps::ClientType client,
+    bool keepsSurfaces = false);
 
   /**
    * Sets the estimator, which must live as long as its result is read, and the user's sampler,
@@ -58,6 +59,7 @@ private:
     const Input& input, const vtkIndirectVisibilityNeeds& needs);
 
   vtkIndirectFrameSamplers& Samplers;
+  const bool KeepsSurfaces;
   vtkIndirectVisibility Visibility;
   vtkIndirectSphereBlockers Blockers; // for visibility and surfaces
   vtkIndirectSurfaces Surfaces;       // for samplers and visibility

@@ -13,6 +13,8 @@
 #include "Capture/vtkSurfaceCapturePass.h"          // for members
 #include "Emitters/vtkIndirectSkyProjection.h"      // for members
 #include "Error/vtkIndirectErrorProbe.h"            // for members
+#include "Error/vtkIndirectPathImage.h"             // for a member
+#include "Error/vtkIndirectPathTracer.h"            // for results
 #include "Maps/vtkIndirectDepthMaps.h"              // for members
 #include "Maps/vtkIndirectPenumbra.h"               // for members
 #include "Maps/vtkIndirectViewSamples.h"            // for a member
@@ -164,6 +166,10 @@ private:
   bool UpdateLightsOfBatch(const vtkIndirectFrameLight::Input& input);
   bool SumBatch(const vtkIndirectFrameLight::Input& input);
   bool MeetsTolerance();
+  bool CopyImage(const char* name, vtkImageData* image);
+  vtkIndirectPathTracer MakePathTracer(const vtkIndirectSurfaces& surfaces) const;
+  bool TracePaths(const vtkIndirectFrameLight::Input& input);
+  bool CorrectByPaths();
   void KeepCasters();
   bool CastersAreThere() const;
   bool HasTime() const;
@@ -202,11 +208,13 @@ private:
   // up. Its sky waits for SkyMaps, whose maps of strong directions it shares.
   vtkIndirectFrameSamplers FinerSamplers{ this };
   vtkIndirectBounceLight FinerBounce{ this, FinerSamplers, DepthMaps,
-    vtkIndirectDepthMaps::FURTHER_LIGHTS };
+    vtkIndirectDepthMaps::FURTHER_LIGHTS, true };
   vtkIndirectAccumulation Accumulation{ this };
   vtkIndirectRefinementSchedule Schedule;
   double FrameBegan = 0.0; // on the schedule's clock
   vtkIndirectErrorProbe ErrorProbe;
+  vtkIndirectPathImage Paths;                            // of a picture that is refined
+  long long PathsOfPicture = 0;                          // that have corrected the picture
   std::optional<double> EstimatedError;                  // of the last frame; see EstimateError
   std::vector<vtkWeakPointer<vtkProp>> CastersOfPicture; // of the frame that made the picture
   vtkIndirectSkyProjection SkyProjection;

@@ -26,21 +26,63 @@ double vtkIndirectPipeline::EstimateError()
   }
   this->Frame.Window->MakeCurrent();
   vtkNew<vtkImageData> images[3];
-  const char* const names[] = { "irradiance", "normal", "depth" };
-  for (int i = 0; i < 3; ++i)
+  if (!this->CopyImage("irradiance", images[0]) || !this->CopyImage("normal", images[1]) ||
+    !this->CopyImage("depth", images[2]))
   {
-    if (!this->RenderChannel(names[i]))
-    {
-      return -1.0;
-    }
-    this->Composite.CopyImage(images[i]);
+    return -1.0;
   }
   const vtkIndirectFrameLight::Input input = this->MakeInput(this->Bounce.GetVisibility());
-  const vtkIndirectPathTracer tracer(this->Frame, this->Bounce.GetSurfaces(input),
-    this->Plan.Sky ? this->Environment : nullptr, this->UsableAreaLights, this->Plan.AskedBounces);
+  const vtkIndirectPathTracer tracer = this->MakePathTracer(this->Bounce.GetSurfaces(input));
   this->EstimatedError =
     this->ErrorProbe.Estimate(this->Frame, tracer, { images[0], images[1], images[2] });
   return *this->EstimatedError;
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectPipeline::CopyImage(const char* name, vtkImageData* image)
+{
+  const bool copied = this->RenderChannel(name);
+  if (copied)
+  {
+    this->Composite.CopyImage(image);
+  }
+  return copied;
+}
+
+//------------------------------------------------------------------------------
+vtkIndirectPathTracer vtkIndirectPipeline::MakePathTracer(const vtkIndirectSurfaces& surfaces) const
+{
+  return { this->Frame, surfaces, this->Plan.Sky ? this->Environment : nullptr,
+    this->UsableAreaLights, this->Plan.AskedBounces };
+}
+
+//------------------------------------------------------------------------------
+// Traces a batch of the paths that correct a refined picture. Returns false, after an error, when
+// OpenGL refuses; so does the next function.
+bool vtkIndirectPipeline::TracePaths(const vtkIndirectFrameLight::Input& input)
+{
+  const vtkIndirectPathTracer tracer = this->MakePathTracer(this->FinerBounce.GetSurfaces(input));
+  if (this->Paths.IsEmpty())
+  {
+    if (!this->CopyImage("normal", this->Paths.GetNormal()) ||
+      !this->CopyImage("depth", this->Paths.GetDepth()))
+    {
+      return false;
+    }
+    this->Paths.Begin(this->Frame);
+  }
+  this->Paths.AddPaths(this->Frame, tracer, input.Batch.Number, input.Batch.Count);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+// Corrects the picture that is shown. Later corrections replace the first one.
+bool vtkIndirectPipeline::CorrectByPaths()
+{
+  const bool first = this->Paths.GetIrradiance()->GetNumberOfPoints() == 0;
+  this->PathsOfPicture = this->Paths.CountPaths();
+  return (!first || this->CopyImage("irradiance", this->Paths.GetIrradiance())) &&
+    this->Accumulation.Correct(this->Frame, this->Paths.ChangeCorrection(this->Frame));
 }
 
 //------------------------------------------------------------------------------
@@ -48,6 +90,8 @@ double vtkIndirectPipeline::EstimateError()
 void vtkIndirectPipeline::KeepCasters()
 {
   this->ErrorProbe.Clear();
+  this->Paths.Clear();
+  this->PathsOfPicture = 0;
   this->CastersOfPicture.clear();
   for (const vtkIndirectCaster& caster : this->Frame.Casters)
   {

@@ -39,8 +39,8 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
     sky.IsThere = sky.IsThere && (!sums || this->SumOpening());
   }
   vtkIndirectRefinementSchedule& schedule = this->Schedule;
-  schedule.SetLimits(
-    { this->Plan.Refinements, this->Plan.RefinementSeconds, this->Plan.RefinementFades },
+  schedule.SetLimits({ this->Plan.Refinements, this->Plan.RefinementSeconds,
+                       this->Plan.RefinementFades, this->Plan.TracesPaths },
     this->FrameBegan);
   bool isNew = false;
   bool stands = this->Plan.Refinements > 0;
@@ -108,6 +108,7 @@ void vtkIndirectPipeline::ReleaseRefinement()
   {
     resource->Release(this->Frame.Window);
   }
+  this->Paths.Clear();
 }
 
 //------------------------------------------------------------------------------
@@ -260,23 +261,35 @@ bool vtkIndirectPipeline::AddBatch()
   Part& part = this->Parts[this->Plan.RefinesLights ? 0 : 1];
   vtkIndirectFrameLight::Input input = this->MakeInput(this->FinerBounce.GetVisibility());
   input.Batch = this->Schedule.GetBatch();
-  this->FinerSky.SetBatches(SkyOfBatch, FinerTexels * this->Plan.SkyTileTexels, 1);
-  bool done = (!this->Plan.RefinesLights || this->UpdateLightsOfBatch(input)) &&
-    (!this->RefinesSky() || this->FinerSky.Update(input)) && this->DrawMapsOfBatch();
-  if (input.Batch.Number == 0 &&
+  bool done = true;
+  if (this->Schedule.IsAtBegin() &&
     (this->Schedule.GetRefinements() == 0 || this->Accumulation.GetBytes() == 0))
   {
-    done = done && this->Accumulation.Keep(this->Frame, this->GetRefined());
+    done = this->Accumulation.Keep(this->Frame, this->GetRefined());
   }
-  done = done && this->SumBatch(input);
+  if (this->Schedule.SumsLights())
+  {
+    this->FinerSky.SetBatches(SkyOfBatch, FinerTexels * this->Plan.SkyTileTexels, 1);
+    done = done && (!this->Plan.RefinesLights || this->UpdateLightsOfBatch(input)) &&
+      (!this->RefinesSky() || this->FinerSky.Update(input)) && this->DrawMapsOfBatch() &&
+      this->SumBatch(input);
+  }
+  else if (this->Schedule.IsAtBegin())
+  {
+    done = done && this->Accumulation.Repeat(this->Frame);
+  }
+  done = done && (!this->Plan.TracesPaths || this->TracePaths(input));
   const bool isFiner = done && this->Schedule.EndBatch(vtkIndirectRefinementSchedule::ReadClock());
+  part.Time = part.Light->GetEstimateTime();
   if (isFiner)
   {
     this->Accumulation.Finish();
-    done = this->Accumulation.Show(this->Frame, this->GetRefined(), 1.0);
+    part.IsThere = this->Accumulation.Show(this->Frame, this->GetRefined(), 1.0);
+    done = part.IsThere &&
+      (!this->Plan.TracesPaths ||
+        (this->CorrectByPaths() && this->Accumulation.Show(this->Frame, this->GetRefined(), 1.0)));
   }
   part.IsThere = done;
-  part.Time = part.Light->GetEstimateTime();
   if (done && isFiner && this->MeetsTolerance())
   {
     this->Schedule.End();
@@ -320,6 +333,9 @@ void vtkIndirectPipeline::AddRefinementToReport(vtkIndirectReport& report) const
       what +=
         (what.empty() ? "" : ", and ") + std::to_string(directions) + " directions of the sky";
     }
+    what += this->PathsOfPicture > 0
+      ? ", corrected by " + std::to_string(this->PathsOfPicture) + " traced paths"
+      : "";
     report.Modelled.emplace_back("refined picture", what);
   }
 }

@@ -21,10 +21,11 @@ double vtkIndirectRefinementSchedule::ReadClock()
 }
 
 //------------------------------------------------------------------------------
-// Batches that are there are of another number of lights when the seconds change.
+// With other seconds, or with paths, the batches that are there are of another number of lights.
 void vtkIndirectRefinementSchedule::SetLimits(const LimitType& limits, double now)
 {
-  const bool differ = limits.Seconds != this->Limits.Seconds;
+  const bool differ =
+    limits.Seconds != this->Limits.Seconds || limits.Traces != this->Limits.Traces;
   this->Limits = limits;
   if (differ)
   {
@@ -46,8 +47,9 @@ void vtkIndirectRefinementSchedule::Begin(double now)
 {
   this->Batches = 0;
   this->Lights = 4 * LightsOfFirst;
+  this->Rounds = 1;
   this->IsMeasured = this->HasEnded = false;
-  this->Began = this->LastEnd = now;
+  this->Began = this->LastEnd = this->RoundBegan = now;
 }
 
 //------------------------------------------------------------------------------
@@ -69,13 +71,33 @@ bool vtkIndirectRefinementSchedule::HasBatch() const
 //------------------------------------------------------------------------------
 int vtkIndirectRefinementSchedule::GetNumberOfLights() const
 {
-  return this->Limits.Seconds > 0.0 ? this->Lights : LightsOfFirst << (2 * (this->Refinement + 1));
+  const int lights =
+    this->Limits.Seconds > 0.0 ? this->Lights : LightsOfFirst << (2 * (this->Refinement + 1));
+  return this->Limits.Traces ? std::min(lights, MostLightsWithPaths) : lights;
+}
+
+//------------------------------------------------------------------------------
+// Returns the number of batches of the refinement. A round of paths is as many as all lights are.
+int vtkIndirectRefinementSchedule::CountBatches() const
+{
+  const int batches = this->GetNumberOfLights() / LightsOfBatch;
+  return !this->Limits.Traces    ? batches
+    : this->Limits.Seconds > 0.0 ? batches * this->Rounds
+                                 : batches << (2 * this->Refinement);
 }
 
 //------------------------------------------------------------------------------
 vtkIndirectLightBatch vtkIndirectRefinementSchedule::GetBatch() const
 {
-  return { this->Batches, this->GetNumberOfLights() / LightsOfBatch };
+  const int count = this->GetNumberOfLights() / LightsOfBatch;
+  return { this->Batches % count, count };
+}
+
+//------------------------------------------------------------------------------
+bool vtkIndirectRefinementSchedule::SumsLights() const
+{
+  return !this->Limits.Traces ||
+    (this->Refinement == 0 && this->Batches < this->GetNumberOfLights() / LightsOfBatch);
 }
 
 //------------------------------------------------------------------------------
@@ -87,7 +109,7 @@ bool vtkIndirectRefinementSchedule::EndBatch(double now)
     this->Measure(now);
   }
   this->LastEnd = now;
-  if (this->Batches < this->GetBatch().Count)
+  if (this->Batches < this->CountBatches() || this->AddsRound(now))
   {
     return false;
   }
@@ -99,19 +121,34 @@ bool vtkIndirectRefinementSchedule::EndBatch(double now)
 }
 
 //------------------------------------------------------------------------------
+// Adds a round of paths if there is time for one that takes as long as the last one.
+bool vtkIndirectRefinementSchedule::AddsRound(double now)
+{
+  const bool adds = this->Limits.Traces && this->Limits.Seconds > 0.0 && !this->HasEnded &&
+    this->Rounds < 1 << (2 * (this->Limits.Refinements - 1)) &&
+    now + (now - this->RoundBegan) <= this->Began + this->Limits.Seconds;
+  this->Rounds += adds ? 1 : 0;
+  this->RoundBegan = now;
+  return adds;
+}
+
+//------------------------------------------------------------------------------
 // Chooses the number of lights by the time of the last batch.
 void vtkIndirectRefinementSchedule::Measure(double now)
 {
   this->IsMeasured = true;
   const double left = this->Began + this->Limits.Seconds - now;
-  const double most = LightsOfFirst << (2 * this->Limits.Refinements);
+  const int most =
+    this->Limits.Traces ? MostLightsWithPaths : LightsOfFirst << (2 * this->Limits.Refinements);
   const double batches = left / std::max(now - this->LastEnd, 1.0e-6);
-  const int anew = static_cast<int>(std::clamp(batches, 0.0, most / LightsOfBatch)) * LightsOfBatch;
-  const bool goesOn = batches >= this->GetBatch().Count - this->Batches;
+  const int anew =
+    static_cast<int>(std::clamp(batches, 0.0, 1.0 * most / LightsOfBatch)) * LightsOfBatch;
+  const bool goesOn = batches >= this->CountBatches() - this->Batches;
   if (anew >= FewestLights && (!goesOn || anew > WorthAnew * this->Lights))
   {
     this->Lights = anew;
     this->Batches = 0;
+    this->RoundBegan = now;
   }
   else
   {
@@ -132,7 +169,7 @@ long long vtkIndirectRefinementSchedule::CountFramesLeft() const
   vtkIndirectRefinementSchedule ahead = *this;
   for (; ahead.HasBatch(); ++ahead.Refinement)
   {
-    batches += ahead.GetBatch().Count;
+    batches += ahead.CountBatches();
   }
   const long long fade = StepsOfFade - this->Fade;
   return std::max(batches - this->Batches, fade) +

@@ -12,11 +12,15 @@ public:
   static constexpr int LightsOfBatch = 64;
   static constexpr int StepsOfFade = 8; // frames in which a finer picture takes the place of one
 
+  /** Paths correct more than further lights do. */
+  static constexpr int MostLightsWithPaths = 4 * LightsOfFirst;
+
   struct LimitType
   {
     int Refinements = 0;  // each has four times the lights of the one before
     double Seconds = 0.0; // 0: none; else one refinement has as many lights as there is time for
     bool Fades = false;   // somebody sees each frame
+    bool Traces = false;  // a batch traces paths, too, and further ones trace paths alone
   };
 
   /** Seconds of a clock that nobody sets. */
@@ -39,9 +43,16 @@ public:
   bool HasBatch() const;
   /** Returns true if the first batch of the first refinement comes next. */
   bool IsAtFirst() const { return this->HasBatch() && this->Refinement + this->Batches == 0; }
-  /** The lights of the refinement under way, and the batch of them that comes next. */
+  /** The lights of the refinement under way. */
   int GetNumberOfLights() const;
+  /**
+   * The batch of lights, and of the paths of a round, that comes next; SumsLights: its lights are
+   * not there yet.
+   */
   vtkIndirectLightBatch GetBatch() const;
+  bool SumsLights() const;
+  /** Returns true if the next batch is the first of its refinement. */
+  bool IsAtBegin() const { return this->Batches == 0; }
   /** Ends a batch; true: all batches of the refinement are there. */
   bool EndBatch(double now);
 
@@ -57,11 +68,14 @@ public:
 private:
   void Begin(double now);
   void Measure(double now);
+  int CountBatches() const;
+  bool AddsRound(double now);
 
   LimitType Limits;
   int Refinement = 0; // the one that is under way, or comes next
   int Batches = 0;    // that are summed of the refinement
   int Lights = 0;     // of the refinement within Limits.Seconds
+  int Rounds = 1;     // of paths within Limits.Seconds
   int Finished = 0;   // lights of the last refinement that is there
   int Fade = StepsOfFade;
   bool IsMeasured = false;
@@ -69,4 +83,5 @@ private:
   bool IsRefused = false;
   double Began = 0.0;
   double LastEnd = 0.0; // of a batch
+  double RoundBegan = 0.0;
 };

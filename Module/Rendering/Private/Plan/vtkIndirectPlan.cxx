@@ -172,10 +172,31 @@ void vtkIndirectPlan::FindRefinements(const vtkIndirectSettings& settings,
   this->RefinementSeconds = refines ? settings.TimeBudget : 0.0;
   this->RefinementFades = seen;
   this->AddsBatches = circumstances.IsIdleFrame;
+  this->FindPaths();
   if (!why.empty() && (!automatic || settings.TimeBudget > 0.0))
   {
     this->LeftOut.emplace_back(
       refines ? "refinement of indirect light" : "refinement of the still picture", why);
+  }
+}
+
+//------------------------------------------------------------------------------
+// Paths correct pictures of which they know all light (vtkIndirectPathTracer).
+void vtkIndirectPlan::FindPaths()
+{
+  const bool hides = (!this->Sky || this->SkyIsShadowed) &&
+    (!(this->AreaLights || this->VirtualAreaLights) || this->AreaIsShadowed);
+  const std::string why = !this->RefinesLights ? "indirect light is not refined"
+    : this->Refraction                         ? "paths do not pass through glass"
+    : this->SenderLobes                        ? "paths are not reflected specularly"
+    : this->Catches                            ? "props catch light"
+    : !hides                                   ? "some light passes through surfaces"
+    : this->IndirectScale != 1.0               ? "IndirectScale is not 1"
+                                               : "";
+  this->TracesPaths = this->Refinements > 0 && why.empty();
+  if (this->RefinesLights && this->Refinements > 0 && !why.empty())
+  {
+    this->LeftOut.emplace_back("correction by path tracing", why);
   }
 }
 

@@ -187,6 +187,7 @@ struct vtkIndirectPlan
   double RefinementSeconds = 0.0; // 0: no limit
   bool RefinementFades = false;   // frames show how a finer picture takes the place of one
   bool RefinesLights = false;     // else of the sky alone
+  bool TracesPaths = false;       // path tracing corrects refined pictures
   bool AddsBatches = false;       // a frame adds batches as long as there is time and no input
   bool FinishesAtOnce = false;    // a picture that goes to a file is whole
   bool WaitsForMaps = false;      // sums begin when no depth map is missing
@@ -290,6 +291,7 @@ private:
   void ReportTolerances(const vtkIndirectAbilities& estimator);
   void FindRefinements(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator,
     const vtkIndirectCircumstances& circumstances);
+  void FindPaths();
   void FindTolerances(const vtkIndirectFrame& frame, const vtkIndirectSettings& settings,
     const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances);
   void FindVisibility(const vtkIndirectSettings& settings, const vtkIndirectAbilities& estimator);

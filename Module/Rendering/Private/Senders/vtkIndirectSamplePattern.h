@@ -141,6 +141,13 @@ inline glm::dvec2 ScrambledPoint(std::uint32_t i, std::uint32_t seed)
 }
 ///@}
 
+/** Returns a point of the unit square that has nothing in common with those of other numbers. */
+inline glm::dvec2 HashedPoint(std::uint32_t i, std::uint32_t seed)
+{
+  const std::uint32_t x = Hash(i * 0x9e3779b9u + Hash(seed));
+  return glm::dvec2(x, Hash(x + 0x3c6ef372u)) * (1.0 / 4294967296.0);
+}
+
 /** This is the generator PCG32, O'Neill 2014; numbers in [0,1). */
 class Random
 {
