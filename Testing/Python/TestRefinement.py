@@ -131,6 +131,18 @@ class Refinement(unittest.TestCase):
         self.assertLess(errors[1.0].relmse, 0.6 * errors[0.999].relmse)
         self.assertLess(abs(errors[1.0].bias), 0.005)
 
+    def test_paths_do_not_correct_what_they_do_not_meet(self) -> None:
+        renderer = self.add_room(1, FILED)
+        actor = renderer.GetActors().GetLastActor()
+        mark = "//VTK::Light::Impl"
+        actor.GetShaderProperty().AddFragmentShaderReplacement(mark, True, mark + "\n", False)
+        self.render()
+        report = vtkindirect.report(renderer)
+        left_out = {entry["what"]: entry["why"] for entry in report["left_out"]}
+        self.assertIn("shader code", left_out["correction by path tracing"])
+        self.assertNotIn("traced paths", str(report["modelled"]))
+        self.assertEqual(counter(renderer, "refinements"), 1)
+
     def test_light_of_rectangles_is_finished_at_once_and_once(self) -> None:
         scene = vtkindirect.load_scene(SCENES / "area_machine.json")
         self.window = frames.open_window(scene, SIZE)

@@ -121,7 +121,7 @@ std::vector<vtkIndirectResidual> vtkIndirectPathImage::FindResiduals(
   for (size_t i = 0; i < residuals.size(); ++i)
   {
     const Pixel& pixel = this->Pixels[i];
-    if (pixel.Paths > 1)
+    if (pixel.Paths > 1 && std::isfinite(pixel.Squares))
     {
       const auto count = static_cast<float>(pixel.Paths);
       const glm::vec3 mean = pixel.Sum / count;

@@ -162,12 +162,14 @@ private:
       &this->ClosedAreaLights };
   }
   void Refine(const vtkIndirectFrameLight::Input& input);
+  void LimitRefinement();
   bool AddBatch();
   bool UpdateLightsOfBatch(const vtkIndirectFrameLight::Input& input);
   bool SumBatch(const vtkIndirectFrameLight::Input& input);
   bool MeetsTolerance();
   bool CopyImage(const char* name, vtkImageData* image);
   vtkIndirectPathTracer MakePathTracer(const vtkIndirectSurfaces& surfaces) const;
+  bool TracesPaths() const { return this->Plan.TracesPaths && this->WhyNoPaths.empty(); }
   bool TracePaths(const vtkIndirectFrameLight::Input& input);
   bool CorrectByPaths();
   void KeepCasters();
@@ -213,9 +215,10 @@ private:
   vtkIndirectRefinementSchedule Schedule;
   double FrameBegan = 0.0; // on the schedule's clock
   vtkIndirectErrorProbe ErrorProbe;
-  vtkIndirectPathImage Paths;                            // of a picture that is refined
-  long long PathsOfPicture = 0;                          // that have corrected the picture
-  std::optional<double> EstimatedError;                  // of the last frame; see EstimateError
+  vtkIndirectPathImage Paths;           // of a picture that is refined
+  std::string WhyNoPaths;               // of the picture's surfaces; empty: paths meet all of them
+  long long PathsOfPicture = 0;         // that have corrected the picture
+  std::optional<double> EstimatedError; // of the last frame; see EstimateError
   std::vector<vtkWeakPointer<vtkProp>> CastersOfPicture; // of the frame that made the picture
   vtkIndirectSkyProjection SkyProjection;
   vtkIndirectSkyGather SkyMaps{ this, DepthMaps };

@@ -57,11 +57,20 @@ vtkIndirectPathTracer vtkIndirectPipeline::MakePathTracer(const vtkIndirectSurfa
 }
 
 //------------------------------------------------------------------------------
-// Traces a batch of the paths that correct a refined picture. Returns false, after an error, when
-// OpenGL refuses; so does the next function.
+// Traces a batch of the paths that correct a refined picture, or finds that paths do not meet what
+// the picture shows. Returns false, after an error, when OpenGL refuses; so does the next function.
 bool vtkIndirectPipeline::TracePaths(const vtkIndirectFrameLight::Input& input)
 {
-  const vtkIndirectPathTracer tracer = this->MakePathTracer(this->FinerBounce.GetSurfaces(input));
+  const vtkIndirectSurfaces& surfaces = this->FinerBounce.GetSurfaces(input);
+  if (!surfaces.GetLeftOut().empty())
+  {
+    const auto& [what, why] = surfaces.GetLeftOut().front();
+    this->WhyNoPaths = what;
+    this->WhyNoPaths += ": " + why;
+    this->LimitRefinement();
+    return true;
+  }
+  const vtkIndirectPathTracer tracer = this->MakePathTracer(surfaces);
   if (this->Paths.IsEmpty())
   {
     if (!this->CopyImage("normal", this->Paths.GetNormal()) ||
@@ -92,6 +101,7 @@ void vtkIndirectPipeline::KeepCasters()
   this->ErrorProbe.Clear();
   this->Paths.Clear();
   this->PathsOfPicture = 0;
+  this->WhyNoPaths.clear();
   this->CastersOfPicture.clear();
   for (const vtkIndirectCaster& caster : this->Frame.Casters)
   {

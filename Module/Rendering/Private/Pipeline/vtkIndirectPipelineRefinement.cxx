@@ -39,9 +39,7 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
     sky.IsThere = sky.IsThere && (!sums || this->SumOpening());
   }
   vtkIndirectRefinementSchedule& schedule = this->Schedule;
-  schedule.SetLimits({ this->Plan.Refinements, this->Plan.RefinementSeconds,
-                       this->Plan.RefinementFades, this->Plan.TracesPaths },
-    this->FrameBegan);
+  this->LimitRefinement();
   bool isNew = false;
   bool stands = this->Plan.Refinements > 0;
   for (const Part& part : this->Parts)
@@ -85,6 +83,14 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
   {
     this->ReleaseRefinement();
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkIndirectPipeline::LimitRefinement()
+{
+  this->Schedule.SetLimits({ this->Plan.Refinements, this->Plan.RefinementSeconds,
+                             this->Plan.RefinementFades, this->TracesPaths() },
+    this->FrameBegan);
 }
 
 //------------------------------------------------------------------------------
@@ -265,6 +271,7 @@ bool vtkIndirectPipeline::AddBatch()
   if (this->Schedule.IsAtBegin() &&
     (this->Schedule.GetRefinements() == 0 || this->Accumulation.GetBytes() == 0))
   {
+    this->Paths.Clear();
     done = this->Accumulation.Keep(this->Frame, this->GetRefined());
   }
   if (this->Schedule.SumsLights())
@@ -278,7 +285,7 @@ bool vtkIndirectPipeline::AddBatch()
   {
     done = done && this->Accumulation.Repeat(this->Frame);
   }
-  done = done && (!this->Plan.TracesPaths || this->TracePaths(input));
+  done = done && (!this->TracesPaths() || this->TracePaths(input));
   const bool isFiner = done && this->Schedule.EndBatch(vtkIndirectRefinementSchedule::ReadClock());
   part.Time = part.Light->GetEstimateTime();
   if (isFiner)
@@ -286,7 +293,7 @@ bool vtkIndirectPipeline::AddBatch()
     this->Accumulation.Finish();
     part.IsThere = this->Accumulation.Show(this->Frame, this->GetRefined(), 1.0);
     done = part.IsThere &&
-      (!this->Plan.TracesPaths ||
+      (!this->TracesPaths() ||
         (this->CorrectByPaths() && this->Accumulation.Show(this->Frame, this->GetRefined(), 1.0)));
   }
   part.IsThere = done;
@@ -319,6 +326,11 @@ void vtkIndirectPipeline::AddRefinementToReport(vtkIndirectReport& report) const
         std::to_string(BlockOfOpening * BlockOfOpening) +
         " asks each: half of the pixels see less than " +
         vtkIndirectReport::Number(this->ShareOfOpening, 2) + " of the sky");
+  }
+  report.MainMemoryBytes += this->Paths.GetBytes();
+  if (!this->WhyNoPaths.empty())
+  {
+    report.LeftOut.emplace_back("correction by path tracing", this->WhyNoPaths);
   }
   const int lights = this->Schedule.GetLightsOfPicture();
   if (lights > 0)
