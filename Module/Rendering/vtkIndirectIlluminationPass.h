@@ -315,7 +315,7 @@ public:
    * 2048 virtual lights and as many directions of the sky, and path tracing on the processor
    * corrects it, by up to 2 million paths; the others have four and sixteen times as many paths.
    * Pictures whose light paths do not know (glass, specular senders; the report names the reason)
-   * are summed of 8192 and 32768 lights instead. While nothing changes, each frame draws the depth
+   * are summed of 8192 and 32768 lights instead, and those with a sky in addition. While nothing changes, each frame draws the depth
    * maps of 64 lights and directions, sums their light and traces a part of the paths, a frame of
    * IdleFrames as many as there is time for; when all of them are there, the finer picture takes
    * the place of the one before, on a screen within eight frames. A picture off screen, at an update rate of 0.001 or less, is

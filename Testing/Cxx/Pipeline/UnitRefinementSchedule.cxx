@@ -153,7 +153,7 @@ VTK_INDIRECT_TEST(RefinementsFade)
 VTK_INDIRECT_TEST(RefinementsWithPaths)
 {
   Schedule schedule;
-  schedule.SetLimits({ 2, 0.0, false, true }, 0.0);
+  schedule.SetLimits({ 2, 0.0, false, false }, 0.0);
   schedule.Restart(0.0);
   int summed = 0;
   int begun = 0;
@@ -164,13 +164,31 @@ VTK_INDIRECT_TEST(RefinementsWithPaths)
     CheckEqual("lights", schedule.GetNumberOfLights(), 2048);
     summed += schedule.SumsLights();
     begun += schedule.IsAtBegin();
-    ++traced[static_cast<size_t>(schedule.GetBatch().Number)];
+    ++traced[static_cast<size_t>(schedule.GetPart().Number)];
   }
   CheckEqual("batches of lights", summed, 32);
   CheckEqual("refinements that begin", begun, 2);
   CheckEqual("refinements that end", finished, 2);
   Check("each part has five rounds", traced == std::vector<int>(32, 5));
   CheckEqual("lights of the picture", schedule.GetLightsOfPicture(), 2048);
+}
+
+// Where lights grow, paths are those of as many rounds.
+VTK_INDIRECT_TEST(RefinementsOfLightsAndPaths)
+{
+  Schedule schedule;
+  schedule.SetLimits({ 2, 0.0, false, true }, 0.0);
+  schedule.Restart(0.0);
+  int summed = 0;
+  std::vector<int> traced(32, 0);
+  for (; schedule.HasBatch(); schedule.EndBatch(0.0))
+  {
+    summed += schedule.SumsLights();
+    ++traced[static_cast<size_t>(schedule.GetPart().Number)];
+  }
+  CheckEqual("batches of lights", summed, 32 + 128);
+  Check("each part has five rounds", traced == std::vector<int>(32, 5));
+  CheckEqual("lights of the picture", schedule.GetLightsOfPicture(), 8192);
 }
 
 // Within seconds, rounds are added as long as there is time.
@@ -195,7 +213,7 @@ VTK_INDIRECT_TEST(PathsWithinSeconds)
   for (const Case& c : cases)
   {
     Run run;
-    run.Do({ c.Refinements, c.Seconds, false, true });
+    run.Do({ c.Refinements, c.Seconds, false, false });
     CheckEqual(std::string(c.What) + ": lights", run.Lights, c.Lights);
     const int anew = c.Lights > 0 && c.Lights < 2048 ? 2 : 0; // batches that measure the time
     CheckEqual(std::string(c.What) + ": batches", c.Lights > 0 ? run.Batches - anew : 0,

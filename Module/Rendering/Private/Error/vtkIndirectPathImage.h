@@ -28,6 +28,8 @@ public:
   /** Forgets a picture. */
   void Clear();
   bool IsEmpty() const { return this->Pixels.empty(); }
+  /** The picture to correct is another one, of the same surfaces. */
+  void ForgetCorrection() { this->Correction = {}; }
   /** Begins the paths of a picture of these normals and depths. */
   void Begin(const vtkIndirectFrame& frame);
   /** Adds the paths of one of several parts of a round. */

@@ -171,7 +171,7 @@ private:
   vtkIndirectPathTracer MakePathTracer(const vtkIndirectSurfaces& surfaces) const;
   bool TracesPaths() const { return this->Plan.TracesPaths && this->WhyNoPaths.empty(); }
   bool TracePaths(const vtkIndirectFrameLight::Input& input);
-  bool CorrectByPaths();
+  bool CorrectByPaths(bool anew);
   void KeepCasters();
   bool CastersAreThere() const;
   bool HasTime() const;

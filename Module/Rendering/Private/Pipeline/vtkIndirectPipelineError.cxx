@@ -80,18 +80,26 @@ bool vtkIndirectPipeline::TracePaths(const vtkIndirectFrameLight::Input& input)
     }
     this->Paths.Begin(this->Frame);
   }
-  this->Paths.AddPaths(this->Frame, tracer, input.Batch.Number, input.Batch.Count);
+  const vtkIndirectLightBatch part = this->Schedule.GetPart();
+  this->Paths.AddPaths(this->Frame, tracer, part.Number, part.Count);
   return true;
 }
 
 //------------------------------------------------------------------------------
-// Corrects the picture that is shown. Later corrections replace the first one.
-bool vtkIndirectPipeline::CorrectByPaths()
+// Corrects the picture that is shown. anew: its light has been summed anew; else the correction
+// replaces the one before.
+bool vtkIndirectPipeline::CorrectByPaths(bool anew)
 {
-  const bool first = this->Paths.GetIrradiance()->GetNumberOfPoints() == 0;
   this->PathsOfPicture = this->Paths.CountPaths();
-  return (!first || this->CopyImage("irradiance", this->Paths.GetIrradiance())) &&
-    this->Accumulation.Correct(this->Frame, this->Paths.ChangeCorrection(this->Frame));
+  if (anew || this->Paths.GetIrradiance()->GetNumberOfPoints() == 0)
+  {
+    this->Paths.ForgetCorrection();
+    if (!this->CopyImage("irradiance", this->Paths.GetIrradiance()))
+    {
+      return false;
+    }
+  }
+  return this->Accumulation.Correct(this->Frame, this->Paths.ChangeCorrection(this->Frame));
 }
 
 //------------------------------------------------------------------------------

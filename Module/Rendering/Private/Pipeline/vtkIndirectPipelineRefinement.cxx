@@ -86,10 +86,12 @@ void vtkIndirectPipeline::Refine(const vtkIndirectFrameLight::Input& input)
 }
 
 //------------------------------------------------------------------------------
+// Paths find small openings to the sky by chance: there more directions of the sky are better.
 void vtkIndirectPipeline::LimitRefinement()
 {
-  this->Schedule.SetLimits({ this->Plan.Refinements, this->Plan.RefinementSeconds,
-                             this->Plan.RefinementFades, this->TracesPaths() },
+  this->Schedule.SetLimits(
+    { this->Plan.Refinements, this->Plan.RefinementSeconds, this->Plan.RefinementFades,
+      !this->TracesPaths() || this->RefinesSky() },
     this->FrameBegan);
 }
 
@@ -286,6 +288,7 @@ bool vtkIndirectPipeline::AddBatch()
     done = done && this->Accumulation.Repeat(this->Frame);
   }
   done = done && (!this->TracesPaths() || this->TracePaths(input));
+  const bool isOfLights = this->Schedule.IsOfLights();
   const bool isFiner = done && this->Schedule.EndBatch(vtkIndirectRefinementSchedule::ReadClock());
   part.Time = part.Light->GetEstimateTime();
   if (isFiner)
@@ -294,7 +297,8 @@ bool vtkIndirectPipeline::AddBatch()
     part.IsThere = this->Accumulation.Show(this->Frame, this->GetRefined(), 1.0);
     done = part.IsThere &&
       (!this->TracesPaths() ||
-        (this->CorrectByPaths() && this->Accumulation.Show(this->Frame, this->GetRefined(), 1.0)));
+        (this->CorrectByPaths(isOfLights) &&
+          this->Accumulation.Show(this->Frame, this->GetRefined(), 1.0)));
   }
   part.IsThere = done;
   if (done && isFiner && this->MeetsTolerance())

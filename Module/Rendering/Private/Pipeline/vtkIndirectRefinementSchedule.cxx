@@ -24,8 +24,7 @@ double vtkIndirectRefinementSchedule::ReadClock()
 // With other seconds, or with paths, the batches that are there are of another number of lights.
 void vtkIndirectRefinementSchedule::SetLimits(const LimitType& limits, double now)
 {
-  const bool differ =
-    limits.Seconds != this->Limits.Seconds || limits.Traces != this->Limits.Traces;
+  const bool differ = limits.Seconds != this->Limits.Seconds || limits.Grows != this->Limits.Grows;
   this->Limits = limits;
   if (differ)
   {
@@ -73,7 +72,7 @@ int vtkIndirectRefinementSchedule::GetNumberOfLights() const
 {
   const int lights =
     this->Limits.Seconds > 0.0 ? this->Lights : LightsOfFirst << (2 * (this->Refinement + 1));
-  return this->Limits.Traces ? std::min(lights, MostLightsWithPaths) : lights;
+  return this->Limits.Grows ? lights : std::min(lights, MostLightsWithPaths);
 }
 
 //------------------------------------------------------------------------------
@@ -81,7 +80,7 @@ int vtkIndirectRefinementSchedule::GetNumberOfLights() const
 int vtkIndirectRefinementSchedule::CountBatches() const
 {
   const int batches = this->GetNumberOfLights() / LightsOfBatch;
-  return !this->Limits.Traces    ? batches
+  return this->Limits.Grows      ? batches
     : this->Limits.Seconds > 0.0 ? batches * this->Rounds
                                  : batches << (2 * this->Refinement);
 }
@@ -94,10 +93,16 @@ vtkIndirectLightBatch vtkIndirectRefinementSchedule::GetBatch() const
 }
 
 //------------------------------------------------------------------------------
+vtkIndirectLightBatch vtkIndirectRefinementSchedule::GetPart() const
+{
+  const int count = std::min(this->GetNumberOfLights(), MostLightsWithPaths) / LightsOfBatch;
+  return { this->Batches % count, count };
+}
+
+//------------------------------------------------------------------------------
 bool vtkIndirectRefinementSchedule::SumsLights() const
 {
-  return !this->Limits.Traces ||
-    (this->Refinement == 0 && this->Batches < this->GetNumberOfLights() / LightsOfBatch);
+  return this->IsOfLights() && this->Batches < this->GetNumberOfLights() / LightsOfBatch;
 }
 
 //------------------------------------------------------------------------------
@@ -124,7 +129,7 @@ bool vtkIndirectRefinementSchedule::EndBatch(double now)
 // Adds a round of paths if there is time for one that takes as long as the last one.
 bool vtkIndirectRefinementSchedule::AddsRound(double now)
 {
-  const bool adds = this->Limits.Traces && this->Limits.Seconds > 0.0 && !this->HasEnded &&
+  const bool adds = !this->Limits.Grows && this->Limits.Seconds > 0.0 && !this->HasEnded &&
     this->Rounds < 1 << (2 * (this->Limits.Refinements - 1)) &&
     now + (now - this->RoundBegan) <= this->Began + this->Limits.Seconds;
   this->Rounds += adds ? 1 : 0;
@@ -139,7 +144,7 @@ void vtkIndirectRefinementSchedule::Measure(double now)
   this->IsMeasured = true;
   const double left = this->Began + this->Limits.Seconds - now;
   const int most =
-    this->Limits.Traces ? MostLightsWithPaths : LightsOfFirst << (2 * this->Limits.Refinements);
+    this->Limits.Grows ? LightsOfFirst << (2 * this->Limits.Refinements) : MostLightsWithPaths;
   const double batches = left / std::max(now - this->LastEnd, 1.0e-6);
   const int anew =
     static_cast<int>(std::clamp(batches, 0.0, 1.0 * most / LightsOfBatch)) * LightsOfBatch;

@@ -20,7 +20,7 @@ public:
     int Refinements = 0;  // each has four times the lights of the one before
     double Seconds = 0.0; // 0: none; else one refinement has as many lights as there is time for
     bool Fades = false;   // somebody sees each frame
-    bool Traces = false;  // a batch traces paths, too, and further ones trace paths alone
+    bool Grows = true;    // further refinements sum more lights, else they trace paths alone
   };
 
   /** Seconds of a clock that nobody sets. */
@@ -45,11 +45,11 @@ public:
   bool IsAtFirst() const { return this->HasBatch() && this->Refinement + this->Batches == 0; }
   /** The lights of the refinement under way. */
   int GetNumberOfLights() const;
-  /**
-   * The batch of lights, and of the paths of a round, that comes next; SumsLights: its lights are
-   * not there yet.
-   */
+  /** The batch of lights, and the part of a round of paths, that comes next. */
   vtkIndirectLightBatch GetBatch() const;
+  vtkIndirectLightBatch GetPart() const;
+  /** Returns true if the refinement under way sums lights, and if the next batch does. */
+  bool IsOfLights() const { return this->Refinement == 0 || this->Limits.Grows; }
   bool SumsLights() const;
   /** Returns true if the next batch is the first of its refinement. */
   bool IsAtBegin() const { return this->Batches == 0; }
