@@ -80,6 +80,7 @@ NOT_RUN = {
     ("Documentation/methods/random-walk.md", "later bounces   B A ="): FORMULA,
     ("Documentation/methods/splatting.md", "E(x) ="): FORMULA,
     ("Documentation/methods/splatting.md", "I_low ="): FORMULA,
+    ("Documentation/methods/path-correction.md", "Σ share("): FORMULA,
     ("Documentation/methods/multiresolution-splatting.md", "    E(x) ="): FORMULA,
     ("Documentation/methods/radiance-hints.md", "c_lm ="): FORMULA,
     ("Documentation/methods/sphere-proxies.md", "g = Σ log"): FORMULA,
