@@ -34,16 +34,6 @@ const float* GetPixel(vtkImageData* image, vtkIdType index)
     index * image->GetNumberOfScalarComponents();
 }
 
-double GetDepth(const vtkIndirectErrorProbe::Images& images, vtkIdType index)
-{
-  return *GetPixel(images.Depth, index);
-}
-
-glm::dvec3 GetNormal(const vtkIndirectErrorProbe::Images& images, vtkIdType index)
-{
-  return glm::make_vec3(GetPixel(images.Normal, index));
-}
-
 // Returns true if a pixel and those around it show one smooth surface: no silhouette, no crease. On
 // a plane the inverse depth is linear over the image.
 bool IsSmooth(const vtkIndirectErrorProbe::Images& images, int x, int y)
@@ -54,20 +44,46 @@ bool IsSmooth(const vtkIndirectErrorProbe::Images& images, int x, int y)
     return false;
   }
   const vtkIdType index = static_cast<vtkIdType>(y) * size[0] + x;
-  const double depth = GetDepth(images, index);
-  const glm::dvec3 normal = GetNormal(images, index);
+  const double depth = images.GetDepth(index);
+  const glm::dvec3 normal = images.GetNormal(index);
   bool smooth = depth > 0.0 && glm::dot(normal, normal) > 0.5;
   for (const vtkIdType step : { 1, size[0], size[0] + 1, size[0] - 1 })
   {
-    const double before = GetDepth(images, index - step);
-    const double after = GetDepth(images, index + step);
+    const double before = images.GetDepth(index - step);
+    const double after = images.GetDepth(index + step);
     smooth = smooth && before > 0.0 && after > 0.0 &&
       std::abs(0.5 * (1.0 / before + 1.0 / after) * depth - 1.0) < MostBend &&
-      glm::dot(GetNormal(images, index - step), normal) > LeastCosineAround &&
-      glm::dot(GetNormal(images, index + step), normal) > LeastCosineAround;
+      glm::dot(images.GetNormal(index - step), normal) > LeastCosineAround &&
+      glm::dot(images.GetNormal(index + step), normal) > LeastCosineAround;
   }
   return smooth;
 }
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectErrorProbe::Images::GetIrradiance(vtkIdType index) const
+{
+  return glm::make_vec3(GetPixel(this->Irradiance, index));
+}
+
+//------------------------------------------------------------------------------
+glm::dvec3 vtkIndirectErrorProbe::Images::GetNormal(vtkIdType index) const
+{
+  return glm::make_vec3(GetPixel(this->Normal, index));
+}
+
+//------------------------------------------------------------------------------
+double vtkIndirectErrorProbe::Images::GetDepth(vtkIdType index) const
+{
+  return *GetPixel(this->Depth, index);
+}
+
+//------------------------------------------------------------------------------
+glm::dvec2 vtkIndirectErrorProbe::FindMiddle(const vtkIndirectFrame& frame, vtkIdType index)
+{
+  const glm::dvec2 pixel(
+    static_cast<double>(index % frame.Size[0]), static_cast<double>(index / frame.Size[0]));
+  return (pixel + 0.5) / glm::dvec2(frame.Size[0], frame.Size[1]) * 2.0 - 1.0;
 }
 
 //------------------------------------------------------------------------------
@@ -98,16 +114,13 @@ bool vtkIndirectErrorProbe::FindPlace(const vtkIndirectFrame& frame,
   const vtkIndirectSurfaces& surfaces, const Images& images, vtkIdType index,
   vtkIndirectPathTracer::Place& place)
 {
-  const glm::dvec3 normal = GetNormal(images, index);
-  const double depth = GetDepth(images, index) * frame.SceneScale;
+  const glm::dvec3 normal = images.GetNormal(index);
+  const double depth = images.GetDepth(index) * frame.SceneScale;
   if (!(depth > 0.0) || !(glm::dot(normal, normal) > 0.5))
   {
     return false;
   }
-  const glm::dvec2 size(frame.Size[0], frame.Size[1]);
-  const glm::dvec2 pixel(
-    static_cast<double>(index % frame.Size[0]), static_cast<double>(index / frame.Size[0]));
-  const glm::dvec2 ndc = (pixel + 0.5) / size * 2.0 - 1.0;
+  const glm::dvec2 ndc = FindMiddle(frame, index);
   // A ray from just before the surface passes all that clips, culls or hides nothing of it.
   const glm::dvec3 start = frame.FindPlace(ndc, depth * (1.0 - MostDifference));
   const glm::dvec3 end = frame.FindPlace(ndc, depth * (1.0 + MostDifference));
@@ -166,7 +179,7 @@ double vtkIndirectErrorProbe::Estimate(
     double squares = 0.0;
     for (const Pixel& pixel : this->Pixels)
     {
-      const glm::dvec3 shown = glm::make_vec3(GetPixel(images.Irradiance, pixel.Index));
+      const glm::dvec3 shown = images.GetIrradiance(pixel.Index);
       const double product = glm::dot(shown - pixel.Traced[0], shown - pixel.Traced[1]) / 3.0;
       mean += glm::dot(pixel.Traced[0] + pixel.Traced[1], glm::dvec3(1.0 / 6.0));
       sum += product;

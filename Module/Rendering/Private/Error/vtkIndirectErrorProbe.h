@@ -24,6 +24,10 @@ public:
     vtkImageData* Irradiance;
     vtkImageData* Normal;
     vtkImageData* Depth;
+
+    glm::dvec3 GetIrradiance(vtkIdType index) const;
+    glm::dvec3 GetNormal(vtkIdType index) const;
+    double GetDepth(vtkIdType index) const;
   };
 
   /**
@@ -35,6 +39,8 @@ public:
    */
   double Estimate(
     const vtkIndirectFrame& frame, const vtkIndirectPathTracer& tracer, const Images& images);
+  /** Returns a pixel's middle in the image, from -1 to 1. */
+  static glm::dvec2 FindMiddle(const vtkIndirectFrame& frame, vtkIdType index);
   /**
    * Finds the surface that a pixel shows, with the normal that it shows. Returns false if rays do
    * not meet it; the irradiance is not read.

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/type_ptr.hpp>
+#include <utility>
 
 namespace
 {
@@ -15,17 +15,12 @@ namespace
 constexpr int FewestPaths = 4;
 constexpr double MostPaths = 16.0;
 constexpr std::uint32_t Seed = 0x3c6ef372u;
-
-glm::vec3 ReadPixel(vtkImageData* image, vtkIdType index)
-{
-  return glm::make_vec3(static_cast<const float*>(image->GetScalarPointer()) +
-    index * image->GetNumberOfScalarComponents());
-}
 }
 
 //------------------------------------------------------------------------------
 void vtkIndirectPathImage::Clear()
 {
+  this->Tracer.reset();
   this->Pixels = {};
   this->Correction = {};
   for (vtkImageData* image : { this->GetNormal(), this->GetDepth(), this->GetIrradiance() })
@@ -61,8 +56,9 @@ vtkIdType vtkIndirectPathImage::GetIndex(const vtkIndirectFrame& frame, size_t p
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPathImage::Begin(const vtkIndirectFrame& frame)
+void vtkIndirectPathImage::Begin(const vtkIndirectFrame& frame, vtkIndirectPathTracer tracer)
 {
+  this->Tracer.emplace(std::move(tracer));
   const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
   const auto count = [&] { return PathsOfRound * this->Step * this->Step / pixels; };
   for (this->Step = 1; count() < FewestPaths;)
@@ -76,8 +72,7 @@ void vtkIndirectPathImage::Begin(const vtkIndirectFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkIndirectPathImage::AddPaths(
-  const vtkIndirectFrame& frame, const vtkIndirectPathTracer& tracer, int part, int parts)
+void vtkIndirectPathImage::AddPaths(const vtkIndirectFrame& frame, int part, int parts)
 {
   const auto all = static_cast<vtkIdType>(this->Pixels.size());
   vtkSMPTools::For(all * part / parts, all * (part + 1) / parts,
@@ -89,13 +84,14 @@ void vtkIndirectPathImage::AddPaths(
         const vtkIdType index = this->GetIndex(frame, static_cast<size_t>(i));
         vtkIndirectPathTracer::Place place;
         if (vtkIndirectErrorProbe::FindPlace(
-              frame, tracer.GetSurfaces(), { nullptr, this->Normal, this->Depth }, index, place))
+              frame, this->Tracer->GetSurfaces(), this->GetImages(), index, place))
         {
           pixel.Position = place.Position;
           pixel.Normal = place.Normal;
           const std::uint32_t seed =
             vtkIndirectSamplePattern::Hash(static_cast<std::uint32_t>(index) + Seed);
-          tracer.AddPaths(place, seed, pixel.Paths, this->PathsOfPixel, pixel.Sum, pixel.Squares);
+          this->Tracer->AddPaths(
+            place, seed, pixel.Paths, this->PathsOfPixel, pixel.Sum, pixel.Squares);
           pixel.Paths += this->PathsOfPixel;
         }
       }
@@ -117,6 +113,7 @@ long long vtkIndirectPathImage::CountPaths() const
 std::vector<vtkIndirectResidual> vtkIndirectPathImage::FindResiduals(
   const vtkIndirectFrame& frame) const
 {
+  const Images images = this->GetImages();
   std::vector<vtkIndirectResidual> residuals(this->Pixels.size());
   for (size_t i = 0; i < residuals.size(); ++i)
   {
@@ -127,7 +124,7 @@ std::vector<vtkIndirectResidual> vtkIndirectPathImage::FindResiduals(
       const glm::vec3 mean = pixel.Sum / count;
       const float variance = pixel.Squares / count - glm::dot(mean, mean) / 3.0f;
       residuals[i] = { pixel.Position, pixel.Normal,
-        mean - ReadPixel(this->Irradiance, this->GetIndex(frame, i)),
+        mean - glm::vec3(images.GetIrradiance(this->GetIndex(frame, i))),
         std::max(variance, 0.0f) / (count - 1.0f) };
     }
   }
@@ -140,20 +137,19 @@ glm::vec3 vtkIndirectPathImage::Interpolate(const vtkIndirectFrame& frame,
   const std::vector<vtkIndirectResidual>& image, vtkIdType index) const
 {
   vtkIndirectResidual own;
-  own.Normal = ReadPixel(this->Normal, index);
-  const double depth = *(static_cast<const float*>(this->Depth->GetScalarPointer()) +
-    index * this->Depth->GetNumberOfScalarComponents());
+  const Images images = this->GetImages();
+  own.Normal = images.GetNormal(index);
+  const double depth = images.GetDepth(index);
   if (!own.HasSurface() || !(depth > 0.0))
   {
     return glm::vec3(0.0f);
   }
-  const glm::dvec2 size(frame.Size[0], frame.Size[1]);
-  const glm::dvec2 pixel(
-    static_cast<double>(index % frame.Size[0]), static_cast<double>(index / frame.Size[0]));
-  own.Position = frame.FindPlace((pixel + 0.5) / size * 2.0 - 1.0, depth * frame.SceneScale);
+  own.Position =
+    frame.FindPlace(vtkIndirectErrorProbe::FindMiddle(frame, index), depth * frame.SceneScale);
   const int columns = this->GetColumns(frame);
   const int rows = static_cast<int>(image.size()) / columns;
-  const glm::dvec2 at = pixel / static_cast<double>(this->Step);
+  const glm::dvec2 at =
+    glm::dvec2(index % frame.Size[0], index / frame.Size[0]) / static_cast<double>(this->Step);
   const glm::ivec2 first(at);
   glm::vec3 sum(0.0f);
   float weights = 0.0f;
@@ -180,6 +176,7 @@ std::vector<float> vtkIndirectPathImage::ChangeCorrection(const vtkIndirectFrame
   const size_t pixels = static_cast<size_t>(frame.Size[0]) * frame.Size[1];
   this->Correction.resize(pixels, glm::vec3(0.0f));
   std::vector<float> change(4 * pixels, 0.0f);
+  const Images images = this->GetImages();
   vtkSMPTools::For(0, static_cast<vtkIdType>(pixels),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -188,7 +185,7 @@ std::vector<float> vtkIndirectPathImage::ChangeCorrection(const vtkIndirectFrame
         const auto place = static_cast<size_t>(i);
         const glm::vec3 correction =
           glm::max(this->Step == 1 ? image[place].Value : this->Interpolate(frame, image, i),
-            -ReadPixel(this->Irradiance, i));
+            -glm::vec3(images.GetIrradiance(i)));
         const glm::vec3 added = correction - this->Correction[place];
         std::copy(&added.x, &added.x + 3, &change[4 * place]);
         this->Correction[place] = correction;

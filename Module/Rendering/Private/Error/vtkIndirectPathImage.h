@@ -12,6 +12,7 @@
 
 #include <cstddef>     // for sizes
 #include <glm/glm.hpp> // for vectors
+#include <optional>    // for a member
 #include <vector>      // for lists
 
 class vtkIndirectPathImage
@@ -30,11 +31,10 @@ public:
   bool IsEmpty() const { return this->Pixels.empty(); }
   /** The picture to correct is another one, of the same surfaces. */
   void ForgetCorrection() { this->Correction = {}; }
-  /** Begins the paths of a picture of these normals and depths. */
-  void Begin(const vtkIndirectFrame& frame);
+  /** Begins the paths of a picture of these normals and depths; keeps the tracer until Clear. */
+  void Begin(const vtkIndirectFrame& frame, vtkIndirectPathTracer tracer);
   /** Adds the paths of one of several parts of a round. */
-  void AddPaths(
-    const vtkIndirectFrame& frame, const vtkIndirectPathTracer& tracer, int part, int parts);
+  void AddPaths(const vtkIndirectFrame& frame, int part, int parts);
   /**
    * Returns the change of the correction since the last call, of pictures with this irradiance
    * before any correction: four floats a pixel.
@@ -54,6 +54,8 @@ private:
     int Paths = 0;
   };
 
+  using Images = vtkIndirectErrorProbe::Images;
+  Images GetImages() const { return { this->Irradiance, this->Normal, this->Depth }; }
   int GetColumns(const vtkIndirectFrame& frame) const;
   vtkIdType GetIndex(const vtkIndirectFrame& frame, size_t pixel) const;
   std::vector<vtkIndirectResidual> FindResiduals(const vtkIndirectFrame& frame) const;
@@ -63,6 +65,7 @@ private:
   vtkNew<vtkImageData> Normal;
   vtkNew<vtkImageData> Depth;
   vtkNew<vtkImageData> Irradiance;
+  std::optional<vtkIndirectPathTracer> Tracer;
   int Step = 1;              // from one pixel with paths to the next, along rows and columns
   int PathsOfPixel = 1;      // in a round
   std::vector<Pixel> Pixels; // those with paths

@@ -61,27 +61,26 @@ vtkIndirectPathTracer vtkIndirectPipeline::MakePathTracer(const vtkIndirectSurfa
 // the picture shows. Returns false, after an error, when OpenGL refuses; so does the next function.
 bool vtkIndirectPipeline::TracePaths(const vtkIndirectFrameLight::Input& input)
 {
-  const vtkIndirectSurfaces& surfaces = this->FinerBounce.GetSurfaces(input);
-  if (!surfaces.GetLeftOut().empty())
-  {
-    const auto& [what, why] = surfaces.GetLeftOut().front();
-    this->WhyNoPaths = what;
-    this->WhyNoPaths += ": " + why;
-    this->LimitRefinement();
-    return true;
-  }
-  const vtkIndirectPathTracer tracer = this->MakePathTracer(surfaces);
   if (this->Paths.IsEmpty())
   {
+    const vtkIndirectSurfaces& surfaces = this->FinerBounce.GetSurfaces(input);
+    if (!surfaces.GetLeftOut().empty())
+    {
+      const auto& [what, why] = surfaces.GetLeftOut().front();
+      this->WhyNoPaths = what;
+      this->WhyNoPaths += ": " + why;
+      this->LimitRefinement();
+      return true;
+    }
     if (!this->CopyImage("normal", this->Paths.GetNormal()) ||
       !this->CopyImage("depth", this->Paths.GetDepth()))
     {
       return false;
     }
-    this->Paths.Begin(this->Frame);
+    this->Paths.Begin(this->Frame, this->MakePathTracer(surfaces));
   }
   const vtkIndirectLightBatch part = this->Schedule.GetPart();
-  this->Paths.AddPaths(this->Frame, tracer, part.Number, part.Count);
+  this->Paths.AddPaths(this->Frame, part.Number, part.Count);
   return true;
 }
 

@@ -15,9 +15,6 @@ constexpr int MostMapTexels = 2048;
 constexpr int SmallPicture = 384;
 // VTK's own DesiredUpdateRate of windows that nobody has set is 0.0001.
 constexpr double RateOfNobody = 0.001;
-// The guide has times and errors of refinements: "A picture left alone".
-constexpr int RefinementsOnScreen = 2;
-constexpr int MostRefinements = 3;
 // RMS error over the mean of the sky's light under spheres: 0.041 to 0.056 on scenes of spheres
 // (Documentation/methods/sphere-proxies.md).
 constexpr double ErrorOfSpheres = 0.05;
@@ -141,63 +138,6 @@ vtkIndirectPlan vtkIndirectPlan::Make(const vtkIndirectFrame& frame,
   plan.ReportTolerances(estimator);
   plan.LeaveOut(settings, estimator, circumstances);
   return plan;
-}
-
-//------------------------------------------------------------------------------
-void vtkIndirectPlan::FindRefinements(const vtkIndirectSettings& settings,
-  const vtkIndirectAbilities& estimator, const vtkIndirectCircumstances& circumstances)
-{
-  const bool automatic = settings.NumberOfRefinements < 0;
-  const bool seen = !circumstances.OffScreen;
-  const bool follows = this->FinishesAtOnce || (seen && circumstances.IdleFrames);
-  const int asked = !automatic             ? settings.NumberOfRefinements
-    : settings.TimeBudget > 0.0            ? MostRefinements
-    : this->ErrorToleranceIsSet && follows ? MostRefinements
-    : seen && circumstances.IdleFrames     ? RefinementsOnScreen
-                                           : 0;
-  if (asked == 0 || this->Interactive)
-  {
-    return;
-  }
-  const std::string why = !this->Irradiance         ? this->WhyNoIrradiance
-    : !settings.Caching                             ? "Caching is off"
-    : !estimator.Refines                            ? estimator.Name + " sums no lights in batches"
-    : this->Senders == HEADLIGHT                    ? "the eye's own surfaces send its light"
-    : this->OtherSamplers                           ? "passes add lights of their own samplers"
-    : this->Visibility != vtkIndirectVisibilityMaps ? "virtual lights have no depth maps"
-                                                    : "";
-  this->RefinesLights = why.empty();
-  const bool refines = this->RefinesLights || (this->HasSkyMaps() && settings.Caching);
-  this->Refinements = refines ? asked : 0;
-  this->RefinementSeconds = refines ? settings.TimeBudget : 0.0;
-  this->RefinementFades = seen;
-  this->AddsBatches = circumstances.IsIdleFrame;
-  this->FindPaths();
-  if (!why.empty() && (!automatic || settings.TimeBudget > 0.0))
-  {
-    this->LeftOut.emplace_back(
-      refines ? "refinement of indirect light" : "refinement of the still picture", why);
-  }
-}
-
-//------------------------------------------------------------------------------
-// Paths correct pictures of which they know all light (vtkIndirectPathTracer).
-void vtkIndirectPlan::FindPaths()
-{
-  const bool hides = (!this->Sky || this->SkyIsShadowed) &&
-    (!(this->AreaLights || this->VirtualAreaLights) || this->AreaIsShadowed);
-  const std::string why = !this->RefinesLights ? "indirect light is not refined"
-    : this->Refraction                         ? "paths do not pass through glass"
-    : this->SenderLobes                        ? "paths are not reflected specularly"
-    : this->Catches                            ? "props catch light"
-    : !hides                                   ? "some light passes through surfaces"
-    : this->IndirectScale != 1.0               ? "IndirectScale is not 1"
-                                               : "";
-  this->TracesPaths = this->Refinements > 0 && why.empty();
-  if (this->RefinesLights && this->Refinements > 0 && !why.empty())
-  {
-    this->LeftOut.emplace_back("correction by path tracing", why);
-  }
 }
 
 //------------------------------------------------------------------------------
