@@ -43,7 +43,7 @@ public:
   /** This is the largest number of levels. */
   static constexpr int Deepest = 64;
 
-  explicit vtkIndirectBoxTree(std::vector<Box> boxes);
+  explicit vtkIndirectBoxTree(const std::vector<Box>& boxes);
 
   /** Returns all nodes; the first one is the root. */
   const std::vector<Part>& GetParts() const { return this->Parts; }
@@ -51,9 +51,25 @@ public:
   const std::vector<uint32_t>& GetOrder() const { return this->Order; }
   const Box& GetAll() const { return this->All; }
   /** Returns a place among most boxes: the median of their centres on each axis. */
-  glm::dvec3 FindMiddle() const;
+  const glm::dvec3& GetMiddle() const { return this->Middle; }
 
 private:
+  // Splits are chosen by boxes of floats about the middle, as shares of the longest edge of all, in
+  // vectors' lanes; the fourth lane is not used.
+  struct alignas(16) Range
+  {
+    float Lower[4];
+    float Upper[4];
+
+    Range();
+    void Add(const Range& other);
+    float HalfArea() const;
+  };
+  struct Item
+  {
+    Range Bounds;
+    uint32_t Number;
+  };
   struct Job
   {
     uint32_t Node;
@@ -63,14 +79,15 @@ private:
   };
   struct Split;
 
-  int FindBin(const Split& split, int axis, uint32_t box) const;
-  Split FindSplit(uint32_t begin, uint32_t end) const;
-  uint32_t Divide(const Job& job, const Box& box);
+  static Range FindCentre(const Item& item);
+  Split FindSplit(uint32_t begin, uint32_t end, const Range& centres) const;
+  uint32_t Divide(const Job& job);
   void MakeParts();
+  void FindBounds(const std::vector<Box>& boxes);
 
-  std::vector<Box> Boxes;
-  std::vector<glm::dvec3> Centres;
+  std::vector<Item> Items; // in the order; empty when the tree is there
   std::vector<uint32_t> Order;
   std::vector<Part> Parts;
   Box All;
+  glm::dvec3 Middle{ 0.0 };
 };

@@ -9,6 +9,11 @@
 #include <limits>
 #include <utility>
 
+#if defined(__SSE__) || defined(_M_X64)
+#include <xmmintrin.h>
+#define VTK_INDIRECT_SSE
+#endif
+
 namespace
 {
 // Boxes are padded by this share of two coordinates about the tree's origin: the box's greatest and
@@ -16,6 +21,20 @@ namespace
 // steps of the boxes' test, moves a face by less than 2^-21 of both. So small triangles have small
 // boxes near the origin, however far other triangles reach.
 constexpr double Padding = 1.0 / (1 << 20);
+
+// Returns the place of the lowest bit that is set; one must be.
+inline int FindLowestBit(unsigned int bits)
+{
+#ifdef __GNUC__
+  return __builtin_ctz(bits);
+#else
+  int place = 0;
+  for (; !(bits >> place & 1u); ++place)
+  {
+  }
+  return place;
+#endif
+}
 }
 
 //------------------------------------------------------------------------------
@@ -117,13 +136,13 @@ void vtkIndirectTriangleTree::Finish()
       boxes[i].Add(v[corner]);
     }
   }
-  vtkIndirectBoxTree builder(std::move(boxes));
+  const vtkIndirectBoxTree builder(boxes);
   const std::vector<vtkIndirectBoxTree::Part>& parts = builder.GetParts();
   const glm::dvec3 edges = builder.GetAll().Upper - builder.GetAll().Lower;
   const glm::dvec3 padOfAll(Padding * std::max({ edges.x, edges.y, edges.z }));
   this->Lower = builder.GetAll().Lower - padOfAll;
   this->Upper = builder.GetAll().Upper + padOfAll;
-  this->Origin = builder.FindMiddle();
+  this->Origin = builder.GetMiddle();
 
   // The greatest child of each node is opened until the node has enough children.
   std::vector<std::pair<uint32_t, uint32_t>> jobs = { { 0, 0 } }; // node, part
@@ -279,12 +298,13 @@ struct vtkIndirectTriangleTree::Line
     }
   }
 
-  // Returns a bit for each child whose box the segment meets; near: where the segment enters it.
-  unsigned int Meet(const Node& node, float near[Width]) const
+  // Returns a bit for each child whose box the segment meets before the limit; near: where the
+  // segment enters the box.
+  unsigned int Meet(const Node& node, float limit, float near[Width]) const
   {
 #ifdef VTK_INDIRECT_SSE
     __m128 enter = _mm_setzero_ps();
-    __m128 leave = _mm_set1_ps(1.0f);
+    __m128 leave = _mm_set1_ps(limit);
     for (int axis = 0; axis < 3; ++axis)
     {
       const __m128 fromNear = _mm_set1_ps(this->FromNear[axis]);
@@ -303,7 +323,7 @@ struct vtkIndirectTriangleTree::Line
     for (int i = 0; i < Width; ++i)
     {
       near[i] = 0.0f;
-      far[i] = 1.0f;
+      far[i] = limit;
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -361,25 +381,16 @@ void vtkIndirectTriangleTree::Walk(const Line& line, float& limit, Call call) co
     uint32_t Node;
     float Near;
   };
-  Visit waiting[(Width - 1) * vtkIndirectBoxTree::Deepest] = { { 0, 0.0f } };
-  int count = 1;
-  while (count > 0)
+  Visit waiting[(Width - 1) * vtkIndirectBoxTree::Deepest]; // without values: most stay unused
+  int count = 0;
+  for (uint32_t at = 0;;)
   {
-    const Visit visit = waiting[--count];
-    if (visit.Near > limit)
-    {
-      continue;
-    }
-    const Node& node = this->Nodes[visit.Node];
+    const Node& node = this->Nodes[at];
     float near[Width];
-    const unsigned int met = line.Meet(node, near);
     const int first = count;
-    for (int i = 0; i < Width; ++i)
+    for (unsigned int met = line.Meet(node, limit, near); met != 0; met &= met - 1)
     {
-      if (!(met >> i & 1u) || near[i] > limit)
-      {
-        continue;
-      }
+      const int i = FindLowestBit(met);
       if (node.Count[i] == 0)
       {
         // Children are sorted so that the nearest is taken first.
@@ -391,6 +402,10 @@ void vtkIndirectTriangleTree::Walk(const Line& line, float& limit, Call call) co
         waiting[place] = { node.First[i], near[i] };
         continue;
       }
+      if (near[i] > limit) // which a leaf before has lowered
+      {
+        continue;
+      }
       for (uint32_t k = node.First[i]; k < node.First[i] + node.Count[i]; ++k)
       {
         if (!call(k))
@@ -399,6 +414,15 @@ void vtkIndirectTriangleTree::Walk(const Line& line, float& limit, Call call) co
         }
       }
     }
+    do
+    {
+      if (count == 0)
+      {
+        return;
+      }
+      --count;
+    } while (waiting[count].Near > limit);
+    at = waiting[count].Node;
   }
 }
 
