@@ -4,6 +4,7 @@
 #include "Maps/vtkIndirectLightMaps.h"
 #include "OpenGL/vtkIndirectKey.h"
 #include "Pipeline/vtkIndirectFrameSamplers.h"
+#include "Pipeline/vtkIndirectFrameSurfaces.h"
 #include "Plan/vtkIndirectPlan.h"
 #include "Plan/vtkIndirectReport.h"
 #include "Plan/vtkIndirectStageTimer.h"
@@ -12,10 +13,11 @@
 
 //------------------------------------------------------------------------------
 vtkIndirectBounceLight::vtkIndirectBounceLight(vtkIndirectResource* owner,
-  vtkIndirectFrameSamplers& samplers, vtkIndirectDepthMaps& maps,
-  vtkIndirectDepthMaps::ClientType client, bool keepsSurfaces)
+  vtkIndirectFrameSamplers& samplers, vtkIndirectFrameSurfaces& surfaces,
+  vtkIndirectDepthMaps& maps, vtkIndirectDepthMaps::ClientType client, bool keepsSurfaces)
   : vtkIndirectFrameLight(owner)
   , Samplers(samplers)
+  , Surfaces(surfaces)
   , KeepsSurfaces(keepsSurfaces)
   , Visibility(this, maps, client)
 {
@@ -45,32 +47,15 @@ bool vtkIndirectBounceLight::HasMore(const Input& input) const
 }
 
 //------------------------------------------------------------------------------
-// Brings the surfaces up to date if rays of samplers or of the estimator meet them. Returns the
-// spheres that mappers draw; null if no stage needs spheres.
+// Returns the spheres that mappers draw; null if no stage needs spheres.
 const vtkIndirectBlockingSpheres* vtkIndirectBounceLight::UpdateSurfaces(
   const Input& input, const vtkIndirectVisibilityNeeds& needs)
 {
-  const bool traced = this->Samplers.Walk() || needs.HasSurfaces();
-  const bool listed = traced || needs.HasSphereLists();
-  if (!listed || !input.Plan.Caching)
+  if (this->KeepsSurfaces)
   {
-    this->Blockers.Forget();
+    this->Surfaces.SetIsKept(true);
   }
-  if (needs.HasSurfaces() && !input.Plan.Caching)
-  {
-    this->Surfaces.Forget();
-  }
-  const vtkIndirectBlockingSpheres* const spheres =
-    listed ? this->Blockers.Update(input.Frame, this->Estimator) : nullptr;
-  if (traced)
-  {
-    this->Surfaces.Update(input.Frame, spheres);
-  }
-  else if (!this->KeepsSurfaces)
-  {
-    this->Surfaces.Clear();
-  }
-  return spheres;
+  return this->Surfaces.Update(input, needs, this->Samplers.Walk(), this->Estimator);
 }
 
 //------------------------------------------------------------------------------
@@ -79,7 +64,7 @@ const vtkIndirectSurfaces& vtkIndirectBounceLight::GetSurfaces(const Input& inpu
   vtkIndirectVisibilityNeeds needs;
   needs.Surfaces = true;
   this->UpdateSurfaces(input, needs);
-  return this->Surfaces;
+  return this->Surfaces.Get();
 }
 
 //------------------------------------------------------------------------------
@@ -88,7 +73,7 @@ bool vtkIndirectBounceLight::Update(const Input& input)
   const vtkIndirectVisibilityNeeds needs = this->GetSum().GetVisibilityNeeds(input.Plan);
   input.Timer.Begin(vtkIndirectStageTimer::Lights);
   const vtkIndirectBlockingSpheres* const spheres = this->UpdateSurfaces(input, needs);
-  const bool sampled = this->Samplers.Update(input, this->Surfaces);
+  const bool sampled = this->Samplers.Update(input, this->Surfaces.Get());
   // With depth maps the visibility only reads the lights and asks for their maps.
   const bool walks = needs.IsAny() && !needs.Maps;
   if (walks)
@@ -97,7 +82,7 @@ bool vtkIndirectBounceLight::Update(const Input& input)
     input.Timer.Begin(vtkIndirectStageTimer::Visibility);
   }
   this->Visibility.Update(
-    { input.Frame, this->Samplers.GetLights(), input.Plan.Caching, this->Surfaces, spheres },
+    { input.Frame, this->Samplers.GetLights(), input.Plan.Caching, this->Surfaces.Get(), spheres },
     needs);
   input.Timer.End(walks ? vtkIndirectStageTimer::Visibility : vtkIndirectStageTimer::Lights);
   return sampled;
@@ -122,14 +107,14 @@ vtkMTimeType vtkIndirectBounceLight::GetEstimateTime() const
 //------------------------------------------------------------------------------
 void vtkIndirectBounceLight::Rest(const Input& input)
 {
-  this->Visibility.Update({ input.Frame, nullptr, false, this->Surfaces }, {});
-  this->Surfaces.Clear();
+  this->Visibility.Update({ input.Frame, nullptr, false, this->Surfaces.Get() }, {});
+  this->Surfaces.Rest();
 }
 
 //------------------------------------------------------------------------------
 size_t vtkIndirectBounceLight::GetMainMemoryBytes() const
 {
-  return this->Surfaces.GetBytes() + this->GetSum().GetMainMemoryBytes();
+  return this->Surfaces.Get().GetBytes() + this->GetSum().GetMainMemoryBytes();
 }
 
 //------------------------------------------------------------------------------
@@ -145,6 +130,9 @@ void vtkIndirectBounceLight::AddToReport(vtkIndirectReport& report) const
 //------------------------------------------------------------------------------
 void vtkIndirectBounceLight::ReleaseOwn(vtkWindow*)
 {
-  this->Surfaces.Clear();
-  this->Blockers.Forget();
+  this->Surfaces.SetIsKept(false);
+  if (!this->KeepsSurfaces)
+  {
+    this->Surfaces.Clear();
+  }
 }

@@ -3,23 +3,26 @@
 // the estimator that sums them.
 #pragma once
 
-#include "Pipeline/vtkIndirectSphereBlockers.h" // for a member
-#include "Scene/vtkIndirectSurfaces.h"          // for a member
-#include "Sums/vtkIndirectFrameLight.h"         // for the base class
-#include "Visibility/vtkIndirectVisibility.h"   // for a member
+#include "Sums/vtkIndirectFrameLight.h"       // for the base class
+#include "Visibility/vtkIndirectVisibility.h" // for a member
 
 class vtkIndirectEstimatorPass;
 class vtkIndirectFrameSamplers;
+class vtkIndirectFrameSurfaces;
 class vtkIndirectSum;
+class vtkIndirectSurfaces;
 class vtkVirtualLightSampler;
 
 class vtkIndirectBounceLight : public vtkIndirectFrameLight
 {
 public:
-  /** client: of the depth maps; keepsSurfaces: those that only GetSurfaces has asked for, too. */
+  /**
+   * client: of the depth maps; keepsSurfaces: surfaces stay, once this light has asked for them,
+   * until this light is released.
+   */
   vtkIndirectBounceLight(vtkIndirectResource* owner, vtkIndirectFrameSamplers& samplers,
-    vtkIndirectDepthMaps& maps, vtkIndirectDepthMaps::ClientType client,
-    bool keepsSurfaces = false);
+    vtkIndirectFrameSurfaces& surfaces, vtkIndirectDepthMaps& maps,
+    vtkIndirectDepthMaps::ClientType client, bool keepsSurfaces = false);
 
   /**
    * Sets the estimator, which must live as long as its result is read, and the user's sampler,
@@ -59,10 +62,9 @@ private:
     const Input& input, const vtkIndirectVisibilityNeeds& needs);
 
   vtkIndirectFrameSamplers& Samplers;
+  vtkIndirectFrameSurfaces& Surfaces;
   const bool KeepsSurfaces;
   vtkIndirectVisibility Visibility;
-  vtkIndirectSphereBlockers Blockers; // for visibility and surfaces
-  vtkIndirectSurfaces Surfaces;       // for samplers and visibility
   vtkIndirectEstimatorPass* Estimator = nullptr;
   vtkVirtualLightSampler* Users = nullptr; // valid while a frame is drawn
 };

@@ -25,6 +25,7 @@
 #include "Picture/vtkIndirectComposite.h"           // for members
 #include "Pipeline/vtkIndirectBounceLight.h"        // for a member
 #include "Pipeline/vtkIndirectFrameSamplers.h"      // for members
+#include "Pipeline/vtkIndirectFrameSurfaces.h"      // for a member
 #include "Pipeline/vtkIndirectImageLight.h"         // for members
 #include "Pipeline/vtkIndirectRefinementSchedule.h" // for a member
 #include "Pipeline/vtkIndirectSphereMotion.h"       // for a member
@@ -205,11 +206,13 @@ private:
   vtkIndirectGeometryBuffer Geometry{ this };
   vtkIndirectCatchers Catchers{ this };
   vtkIndirectCreases Creases{ this };
-  vtkIndirectBounceLight Bounce{ this, Samplers, DepthMaps, vtkIndirectDepthMaps::VIRTUAL_LIGHTS };
+  vtkIndirectFrameSurfaces Surfaces;
+  vtkIndirectBounceLight Bounce{ this, Samplers, Surfaces, DepthMaps,
+    vtkIndirectDepthMaps::VIRTUAL_LIGHTS };
   // A finer picture has lights and maps of its own: a moving frame takes those of the first picture
   // up. Its sky waits for SkyMaps, whose maps of strong directions it shares.
   vtkIndirectFrameSamplers FinerSamplers{ this };
-  vtkIndirectBounceLight FinerBounce{ this, FinerSamplers, DepthMaps,
+  vtkIndirectBounceLight FinerBounce{ this, FinerSamplers, Surfaces, DepthMaps,
     vtkIndirectDepthMaps::FURTHER_LIGHTS, true };
   vtkIndirectAccumulation Accumulation{ this };
   vtkIndirectRefinementSchedule Schedule;
